@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -20,6 +21,7 @@
 #include "generator/cut/plane/triangulate.h"
 #include "generator/cut/section/cut_fruit.h"
 #include "generator/cut/spared.h"
+#include "generator/cut/unite/united_bodies.h"
 #include "generator/knife/closed_knives.h"
 #include "generator/knife/knife_mesh.h"
 #include "generator/mesh/closed_surface.h"
@@ -41,17 +43,47 @@ struct HeldBack {
 
 constexpr std::uint32_t unset = 0xffffffffu;
 
+/// What corers push aside.
+struct PushedAside {
+  SkinDepth depth;  ///< of the fruit as it grew
+  OuterBodies outer;
+  std::vector<std::int32_t> body;  ///< per outer body: its number among the bodies
+
+  std::int32_t number_of(std::int32_t of) const {
+    const auto at = std::find(body.begin(), body.end(), of);
+    return of == Bodies::none || at == body.end() ? OuterBodies::none : static_cast<std::int32_t>(at - body.begin());
+  }
+};
+
+/// Nothing if no knife is a corer, or the skin is open.
+std::optional<PushedAside> pushed_aside(const DiffusionSurfaces& surfaces, const Bodies& bodies,
+                                        std::span<const Knife> knives) {
+  const bool cores = std::any_of(knives.begin(), knives.end(), [](const Knife& knife) {
+    return knife.is_closed() && std::holds_alternative<CoreKnife>(std::get<ClosedCut>(knife.cut));
+  });
+  if (!cores) return std::nullopt;
+  SkinDepth depth(surfaces);
+  if (!depth.is_closed()) return std::nullopt;
+  OuterBodies outer = outer_bodies(surfaces, depth.skin());
+  std::vector<std::int32_t> body(outer.body.size(), Bodies::none);
+  for (std::size_t t = 0; t < outer.of_triangle.size(); ++t) {
+    if (outer.of_triangle[t] != OuterBodies::none)
+      body[static_cast<std::size_t>(outer.of_triangle[t])] = bodies.of_triangle[t];
+  }
+  return PushedAside{std::move(depth), std::move(outer), std::move(body)};
+}
+
 /// Per outer body whether all of it lies in one cell, and no cut face goes through it.
-std::vector<std::uint8_t> whole_ones(const CutFruit& fruit, const OuterBodies& outer, const Bodies& bodies) {
-  std::vector<std::uint8_t> whole(outer.body.size(), 1);
-  std::vector<std::uint32_t> cell(outer.body.size(), unset);
-  std::vector<std::int32_t> body_of(outer.body.size(), Bodies::none);
+std::vector<std::uint8_t> whole_ones(const CutFruit& fruit, const PushedAside& aside, const Bodies& bodies) {
+  const std::vector<std::int32_t>& body_of = aside.body;
+  std::vector<std::uint8_t> whole(body_of.size(), 1);
+  std::vector<std::uint32_t> cell(body_of.size(), unset);
   for (const SurfaceTriangle& t : fruit.surface) {
-    if (outer.of_triangle[t.source] == OuterBodies::none) continue;
-    const auto number = static_cast<std::size_t>(outer.of_triangle[t.source]);
+    const std::int32_t outer = aside.number_of(bodies.of_triangle[t.source]);
+    if (outer == OuterBodies::none) continue;
+    const auto number = static_cast<std::size_t>(outer);
     if (cell[number] != unset && cell[number] != t.cell) whole[number] = 0;
     cell[number] = t.cell;
-    body_of[number] = bodies.of_triangle[t.source];
   }
   for (const Cap& cap : fruit.section.cap) {
     for (const BodyWinding& inside : cap.closing.inside) {
@@ -79,21 +111,19 @@ bool goes_inside(const TriangleTree& body, const TriangleTree& skin, const Trian
 /// Takes out the bodies that stick out of the fruit, except those that other knives have cut. A body goes to the inside
 /// or the outside of the knife, wherever the larger share of its part inside the fruit lies. \param stride the number
 /// of a cell inside the knife is larger by this.
-HeldBack held_back(CutFruit fruit, const ClosedSurface& knife, std::uint32_t stride, const DiffusionSurfaces& surfaces,
+HeldBack held_back(CutFruit fruit, const ClosedSurface& knife, std::uint32_t stride, const PushedAside& aside,
                    const Bodies& bodies) {
-  const SkinDepth depth(surfaces);
-  if (!depth.is_closed()) return {std::move(fruit), {}};
-  const OuterBodies outer = outer_bodies(surfaces, depth.skin());
-  const std::vector<std::uint8_t> whole = whole_ones(fruit, outer, bodies);
+  const std::vector<std::uint8_t> whole = whole_ones(fruit, aside, bodies);
   const std::vector<glm::vec3> points(knife.point.begin(), knife.point.end());
   const TriangleTree tree(points, knife.triangle);
   std::vector<std::uint8_t> inside;
-  for (const TriangleTree& body : outer.body) inside.push_back(goes_inside(body, depth.skin(), tree) ? 1 : 0);
+  for (const TriangleTree& body : aside.outer.body)
+    inside.push_back(goes_inside(body, aside.depth.skin(), tree) ? 1 : 0);
 
   HeldBack held{std::move(fruit), {}};
   std::vector<SurfaceTriangle> rest;
   for (SurfaceTriangle t : held.fruit.surface) {
-    const std::int32_t number = outer.of_triangle[t.source];
+    const std::int32_t number = aside.number_of(bodies.of_triangle[t.source]);
     if (number == OuterBodies::none || whole[static_cast<std::size_t>(number)] == 0) {
       rest.push_back(t);
       continue;
@@ -163,11 +193,22 @@ class Cutter {
  public:
   Cutter(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options,
          CutObserver* observer)
-      : surfaces_(surfaces),
+      : whole_(surfaces),
         knives_(knives),
         options_(options),
         observer_(observer),
-        planes_(cut_planes(knives, bounds_of(surfaces))) {}
+        planes_(cut_planes(knives, bounds_of(surfaces))),
+        known_(watched(observer, "bodies", [&] { return find_bodies(surfaces); })),
+        aside_(pushed_aside(surfaces, known_, knives)),
+        united_(watched(observer, "unite",
+                        [&] {
+                          return united_bodies(surfaces, known_,
+                                               {.apart = aside_ ? std::span<const std::int32_t>(aside_->body)
+                                                                : std::span<const std::int32_t>(),
+                                                .threads = options.threads});
+                        })),
+        surfaces_(united_ ? united_->surfaces : whole_),
+        bodies_(united_ ? united_->bodies : known_) {}
 
   Cut run() {
     CutFruit fruit = joined(cut_by_planes());
@@ -188,28 +229,9 @@ class Cutter {
   }
 
  private:
-  /// The bodies are found meanwhile.
-  SplitMesh split_surfaces() {
-    SplitMesh mesh(planes_);
-    double bodies_took = 0, split_took = 0;
-    parallel_for(2, options_.threads, [&](std::size_t i) {
-      const StopWatch watch;
-      if (i == 0)
-        bodies_ = find_bodies(surfaces_);
-      else
-        mesh = split(surfaces_, planes_);
-      (i == 0 ? bodies_took : split_took) = watch.milliseconds();
-    });
-    if (observer_) {
-      observer_->took("bodies", bodies_took);
-      observer_->took("split", split_took);
-    }
-    return mesh;
-  }
-
   Cutting cut_by_planes() {
     // Where surfaces pass through the planes (paper, Figure 3a).
-    SplitMesh mesh = split_surfaces();
+    SplitMesh mesh = watched(observer_, "split", [&] { return split(surfaces_, planes_); });
     const auto segments =
         watched(observer_, "segments", [&] { return cut_segments(mesh, surfaces_, bodies_, planes_.count()); });
     if (observer_) observer_->sees(planes_, segments);
@@ -247,7 +269,7 @@ class Cutter {
       fruit = with_joined_points(std::move(fruit));
       const Knife& shape = knives_[number];
       const ClosedCut& closed = std::get<ClosedCut>(shape.cut);
-      const ClosedSurface surface = surface_of(closed, surfaces_);
+      const ClosedSurface surface = surface_of(closed, whole_);
       ClosedKnife knife;
       knife.number = static_cast<int>(number);
       knife.plane = planes_.count() + knife.number;
@@ -256,8 +278,8 @@ class Cutter {
       }
       // A corer pushes leaves aside.
       HeldBack held{std::move(fruit), {}};
-      if (std::holds_alternative<CoreKnife>(closed))
-        held = held_back(std::move(held.fruit), surface, knife.stride, surfaces_, bodies_);
+      if (std::holds_alternative<CoreKnife>(closed) && aside_)
+        held = held_back(std::move(held.fruit), surface, knife.stride, *aside_, bodies_);
       knife.mesh = refined_for(held.fruit, knife_mesh(surface, shape.text), limits);
       Cutting cutting = carve(std::move(held.fruit), knife, surfaces_, bodies_);
       std::vector<SurfaceTriangle>& all = cutting.fruit.surface;
@@ -272,12 +294,16 @@ class Cutter {
     return watched(observer_, "assemble", [&] { return with_faces(std::move(cutting), surfaces_, options_.threads); });
   }
 
-  const DiffusionSurfaces& surfaces_;
+  const DiffusionSurfaces& whole_;  // as they grew
   std::span<const Knife> knives_;
   const CutOptions& options_;
   CutObserver* observer_;  // or none
   const CutPlanes planes_;
-  Bodies bodies_;
+  const Bodies known_;  // of the whole
+  const std::optional<PushedAside> aside_;
+  const std::optional<UnitedBodies> united_;
+  const DiffusionSurfaces& surfaces_;  // without overlaps
+  const Bodies& bodies_;
 };
 
 }  // namespace

@@ -71,6 +71,7 @@ class PieceBuilder {
       skin_.push_back({wall.triangle, wall.shows});
       for (const std::uint32_t v : wall.triangle.vertex) on_wall_[mesh_.point_of[v]] = 1;
     }
+    find_shared_points();
   }
 
   std::vector<CutPiece> build() {
@@ -89,12 +90,24 @@ class PieceBuilder {
     std::uint32_t cell = 0;
   };
 
+  /// Where bodies in different cells touch: a stem that a corer pushes aside, and the flesh that it stood on.
+  void find_shared_points() {
+    std::vector<std::uint32_t> cell(mesh_.point.size(), unset);
+    for (const SparedWall& wall : skin_) {
+      for (const std::uint32_t v : wall.triangle.vertex) {
+        std::uint32_t& known = cell[mesh_.point_of[v]];
+        if (known != unset && known != wall.triangle.cell) on_wall_[mesh_.point_of[v]] = 1;
+        known = wall.triangle.cell;
+      }
+    }
+  }
+
   glm::vec3 position(std::uint32_t point) const { return glm::vec3(mesh_.point[point]); }
 
   bool is_uncut(std::size_t cap) const { return cap < uncut_.size() && uncut_[cap] != 0; }
 
-  /// A point on planes or on the wall of a spared part is one node per cell it touches; any other lies in one cell
-  /// alone.
+  /// A point on planes, on the wall of a spared part or where cells touch is one node per cell; any other lies in one
+  /// cell alone.
   std::uint32_t node(std::uint32_t cell, std::uint32_t point) {
     if (mesh_.planes_of[point] == 0 && on_wall_[point] == 0) return point;
     const auto [number, is_new] = nodes_.try_emplace(point, cell, static_cast<std::uint32_t>(sets_.count()));

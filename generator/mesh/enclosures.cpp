@@ -72,12 +72,16 @@ int Enclosures::column(double v, int axis) const {
   return static_cast<int>(std::clamp((v - low_[axis]) / cell_[axis], 0.0, static_cast<double>(across_ - 1)));
 }
 
+std::span<const std::uint32_t> Enclosures::over(const glm::dvec3& point) const {
+  if (triangles_.empty()) return {};
+  const auto at = static_cast<std::size_t>(column(point.z, 1) * across_ + column(point.x, 0));
+  return std::span(entry_).subspan(start_[at], start_[at + 1] - start_[at]);
+}
+
 std::vector<std::pair<std::uint32_t, int>> Enclosures::around(const glm::dvec3& point) const {
   std::vector<std::pair<std::uint32_t, int>> windings;
-  if (triangles_.empty()) return windings;
-  const auto at = static_cast<std::size_t>(column(point.z, 1) * across_ + column(point.x, 0));
-  for (std::uint32_t k = start_[at]; k < start_[at + 1]; ++k) {
-    const Triangle& t = triangles_[entry_[k]];
+  for (const std::uint32_t number : over(point)) {
+    const Triangle& t = triangles_[number];
     const int by = crossing(t.corner, point);
     if (by == 0) continue;
     const auto place = std::lower_bound(windings.begin(), windings.end(), std::pair(t.mesh, -1000000));

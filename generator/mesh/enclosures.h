@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,10 @@ class Enclosures {
 
   /// The meshes that wind around the point, sorted, with their winding numbers; negative for cavities.
   std::vector<std::pair<std::uint32_t, int>> around(const glm::dvec3& point) const;
+
+  /// The triangles that a line upwards from the point may meet, by their place among those given, ascending; others
+  /// too.
+  std::span<const std::uint32_t> over(const glm::dvec3& point) const;
 
  private:
   int column(double v, int axis) const;

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "generator/cut/cut_observer.h"
+#include "generator/cut/unite/united_bodies.h"
 #include "generator/surface/skin_depth.h"
 #include "tests/cut/solid_shapes.h"
 
@@ -123,7 +125,17 @@ class Witness final : public CutObserver {
 
 }  // namespace
 
-CutOracle::CutOracle(const DiffusionSurfaces& surfaces) : surfaces_(surfaces), bodies_(find_bodies(surfaces)) {
+namespace {
+
+DiffusionSurfaces without_overlaps(const DiffusionSurfaces& surfaces) {
+  std::optional<UnitedBodies> united = united_bodies(surfaces, find_bodies(surfaces));
+  return united ? std::move(united->surfaces) : surfaces;
+}
+
+}  // namespace
+
+CutOracle::CutOracle(const DiffusionSurfaces& surfaces)
+    : surfaces_(without_overlaps(surfaces)), bodies_(find_bodies(surfaces_)) {
   size_ = glm::length(bounds_of(surfaces).size());
   for (const Bodies::Body& body : bodies_.bodies) {
     whole_ += body.volume;

@@ -22,7 +22,8 @@ struct CutFacts {
   int pieces = 0;
 };
 
-/// Of planes only whole ones: half-planes of wedges have no area here. With closed knives, pieces and volumes alone.
+/// What overlaps counts once (generator/cut/unite). Of planes only whole ones: half-planes of wedges have no area here.
+/// With closed knives, pieces and volumes alone.
 class CutOracle {
  public:
   explicit CutOracle(const DiffusionSurfaces& surfaces);
@@ -54,7 +55,7 @@ class CutOracle {
   ClosedSurface own_skin() const;
   glm::dvec3 corner(const RandomStream& random, std::uint64_t draw) const;
 
-  const DiffusionSurfaces& surfaces_;
+  DiffusionSurfaces surfaces_;  // without overlaps
   Bodies bodies_;
   double size_ = 0, whole_ = 0;
   bool closed_ = true;

@@ -154,15 +154,18 @@ TEST(Cut, HollowStaysHollow) {
   expect_sound(cheek, solid);
 }
 
-TEST(Cut, OverlappingBodiesAreOnePieceAndEachIsClosed) {
+TEST(Cut, OverlappingBodiesAreOnePieceAndCountOnce) {
   const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
   const DiffusionSurfaces both = joined(ball, shapes::moved(ball, {0.06, 0, 0}));
-  const double each = signed_volume(ball);
+  // Two balls with a lens between.
+  const double lens = pi * 0.02 * 0.02 / 3 * (3 * 0.05 - 0.02) * 2;
+  const double each = signed_volume(ball), together = shapes::volume_of(cut_with(both, {}));
+  EXPECT_NEAR(2 * each - together, lens, 0.05 * lens);
   for (const char* knife : {"half", "across", "plane:0.3,1,0.2,0.001", "plane:1,0,0,0.03"}) {
     SCOPED_TRACE(knife);
     const Cut cut = cut_with(both, {knife});
     EXPECT_EQ(cut.pieces.size(), 2u);
-    expect_sound(cut, 2 * each);
+    expect_sound(cut, together);
   }
   EXPECT_EQ(cut_with(both, {}).pieces.size(), 1u);
   const DiffusionSurfaces apart = joined(ball, shapes::moved(ball, {0.2, 0, 0}));

@@ -222,7 +222,10 @@ TEST(HeldBack, ALeafGoesWithWhatItSitsOn) {
     return min;
   };
   const double bare = volume_of_core(shapes::sphere(outer, 10, shapes::skin_paint()));
-  const double leaf = 0.022 * 0.003 * 0.008;
+  // Where it is sunk in, the place is the flesh's.
+  const double leaf = shapes::volume_of(cut(leafy(-0.002, 0.02), {})) -
+                      shapes::volume_of(cut(shapes::sphere(outer, 10, shapes::skin_paint()), {}));
+  EXPECT_LT(leaf, 0.99 * 0.022 * 0.003 * 0.008);
   EXPECT_NEAR(volume_of_core(leafy(-0.002, 0.02)) - bare, leaf, 1e-3 * leaf);
   EXPECT_NEAR(volume_of_core(leafy(0.0055, 0.0275)) - bare, 0, 1e-3 * leaf);
 }

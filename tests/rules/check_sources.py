@@ -29,6 +29,7 @@ ROAD = [
     "generator/cut/section",
     "generator/cut/plane",
     "generator/cut/carve",
+    "generator/cut/unite",
     "generator/cut",
     "generator/diffusion",
     "generator/diffusion/pmvc",

@@ -20,6 +20,24 @@ int orientation(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r, c
   return sign_of(CGAL::orientation(to_point(p), to_point(q), to_point(r), to_point(s)));
 }
 
+using ExactVector = std::array<Exact, 3>;
+
+ExactVector way(const glm::dvec3& from, const glm::dvec3& to) {
+  return {Exact(to.x) - Exact(from.x), Exact(to.y) - Exact(from.y), Exact(to.z) - Exact(from.z)};
+}
+
+/// Six times the volume of the triangle and a way from its first corner.
+Exact volume(const Corners& t, const ExactVector& w) {
+  const ExactVector u = way(t[0], t[1]), v = way(t[0], t[2]);
+  return (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2];
+}
+
+/// Where the way from p to q passes through the triangle's plane; 0 for a way along it.
+Exact share_along(const glm::dvec3& p, const glm::dvec3& q, const Corners& t) {
+  const Exact before = volume(t, way(t[0], p)), after = volume(t, way(t[0], q));
+  return before == after ? Exact(0) : Exact(before / (before - after));
+}
+
 /// The sign of the triangle's normal along an axis.
 int normal_sign(const Corners& t, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -78,6 +96,11 @@ int turn(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const gl
     if (left != right) return left > right ? 1 : -1;
   }
   return 0;
+}
+
+int order_along(const glm::dvec3& p, const glm::dvec3& q, const Corners& one, const Corners& other) {
+  const Exact first = share_along(p, q, one), second = share_along(p, q, other);
+  return first < second ? -1 : second < first ? 1 : 0;
 }
 
 int winding_of_knife(const Corners& knife, const glm::dvec3& fruit_point) { return winding(knife, fruit_point, -1); }

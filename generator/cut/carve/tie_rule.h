@@ -19,6 +19,10 @@ int side_of_fruit(const Corners& fruit, const glm::dvec3& knife_point);
 /// edges that are parallel.
 int turn(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b);
 
+/// In which order the way from p to q passes through the planes of two triangles: -1, 1, or 0 for one place. Exact; the
+/// tie rule does not decide here.
+int order_along(const glm::dvec3& p, const glm::dvec3& q, const Corners& one, const Corners& other);
+
 /// The contribution of the triangle to the winding number of its mesh around the point: +1, -1 or 0.
 int winding_of_knife(const Corners& knife, const glm::dvec3& fruit_point);
 int winding_of_fruit(const Corners& fruit, const glm::dvec3& knife_point);

@@ -1,0 +1,419 @@
+#include "generator/cut/unite/united_bodies.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "generator/cut/carve/facet_normals.h"
+#include "generator/cut/carve/tie_rule.h"
+#include "generator/cut/unite/layer_union.h"
+#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/enclosures.h"
+#include "generator/mesh/overlapping_boxes.h"
+#include "generator/mesh/weld.h"
+
+namespace pomona {
+
+namespace {
+
+/// An overlap that is less than this share of a body only touches.
+constexpr double min_overlap = 1e-9;
+
+using WallCorners = std::array<std::uint32_t, 3>;  // points
+
+/// A boundary triangle as it faces air, or a part of one.
+struct Wall {
+  BodyFacet facet;
+  std::uint32_t source = 0;                   ///< triangle of the surfaces
+  bool is_whole = true;                       ///< all of that triangle
+  bool is_inside = false;                     ///< of another body
+  bool is_parted = false;                     ///< its parts stand for it
+  std::int32_t also_of = FacetPart::outside;  ///< a body that stays apart, and ends here
+};
+
+std::size_t index(std::int32_t body) { return static_cast<std::size_t>(body); }
+
+bool holds(const Box<double>& box, const glm::dvec3& p) { return box.meets({p, p}); }
+
+/// The closed bodies' boundaries, and which could meet.
+class BodyWalls {
+ public:
+  BodyWalls(const DiffusionSurfaces& surfaces, const Bodies& bodies) : surfaces_(surfaces), bodies_(bodies) {
+    box_.resize(bodies.bodies.size());
+    for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
+      if (!takes_part(bodies.of_triangle[t])) continue;
+      for (int k = 0; k < 3; ++k)
+        box_[index(bodies.of_triangle[t])].add(glm::dvec3(surfaces.position[surfaces.triangle[t][k]]));
+    }
+    std::vector<std::uint32_t> number;
+    std::vector<Box<float>> boxes;  // their corners are floats
+    for (std::uint32_t b = 0; b < box_.size(); ++b) {
+      if (!takes_part(static_cast<std::int32_t>(b))) continue;
+      number.push_back(b);
+      boxes.push_back({glm::vec3(box_[b].low), glm::vec3(box_[b].high)});
+    }
+    met_.resize(box_.size());
+    for (const auto& [i, k] : overlapping_boxes(boxes)) {
+      met_[number[i]].push_back(static_cast<std::int32_t>(number[k]));
+      met_[number[k]].push_back(static_cast<std::int32_t>(number[i]));
+      meet_ = true;
+    }
+  }
+
+  bool meet() const { return meet_; }
+  const std::vector<std::int32_t>& met(std::size_t body) const { return met_[body]; }
+  const Box<double>& box(std::int32_t body) const { return box_[index(body)]; }
+  std::size_t count() const { return box_.size(); }
+
+  bool takes_part(std::int32_t body) const {
+    return body != Bodies::none && bodies_.bodies[index(body)].closed && bodies_.bodies[index(body)].volume > 0;
+  }
+
+  /// As triangles that differ from a line.
+  std::vector<Wall> walls() const {
+    const std::vector<std::uint32_t> first = weld(surfaces_.position);
+    std::vector<Wall> all;
+    for (std::uint32_t t = 0; t < surfaces_.triangle_count(); ++t) {
+      if (!takes_part(bodies_.of_triangle[t])) continue;
+      const glm::uvec3& v = surfaces_.triangle[t];
+      const bool turned = surfaces_.is_hidden(t, SideOf::back);
+      const WallCorners c{first[v.x], first[turned ? v.z : v.y], first[turned ? v.y : v.z]};
+      if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) all.push_back({{c, bodies_.of_triangle[t]}, t});
+    }
+    return all;
+  }
+
+ private:
+  const DiffusionSurfaces& surfaces_;
+  const Bodies& bodies_;
+  std::vector<Box<double>> box_;
+  std::vector<std::vector<std::int32_t>> met_;
+  bool meet_ = false;
+};
+
+/// Whether bodies wind around a point of another body's boundary.
+class BodyWindings {
+ public:
+  BodyWindings(const std::vector<Wall>& walls, std::size_t bodies) : walls_of_(bodies), columns_(bodies) {
+    for (const Wall& wall : walls) walls_of_[index(wall.facet.body)].push_back(wall.facet.corner);
+  }
+
+  /// \param body_moves by the tie rule it is the body that does, not the point.
+  bool contains(std::int32_t body, const glm::dvec3& point, bool body_moves, const std::vector<glm::dvec3>& place) {
+    const std::vector<WallCorners>& walls = walls_of_[index(body)];
+    int sum = 0;
+    const auto add = [&](const WallCorners& c) {
+      const Corners corners{place[c[0]], place[c[1]], place[c[2]]};
+      sum += body_moves ? winding_of_knife(corners, point) : winding_of_fruit(corners, point);
+    };
+    constexpr std::size_t few = 256;
+    if (walls.size() <= few) {
+      for (const WallCorners& c : walls) add(c);
+    } else {
+      for (const std::uint32_t t : columns(body, place).over(point)) add(walls[t]);
+    }
+    return sum > 0;
+  }
+
+ private:
+  const Enclosures& columns(std::int32_t body, const std::vector<glm::dvec3>& place) {
+    std::optional<Enclosures>& known = columns_[index(body)];
+    if (known) return *known;
+    std::vector<Enclosures::Triangle> triangles;
+    for (const WallCorners& c : walls_of_[index(body)])
+      triangles.push_back({{place[c[0]], place[c[1]], place[c[2]]}, 0});
+    return known.emplace(std::move(triangles));
+  }
+
+  std::vector<std::vector<WallCorners>> walls_of_;
+  std::vector<std::optional<Enclosures>> columns_;
+};
+
+/// Layer after layer: the boxes of a layer's bodies lie apart from each other, so that each meets only bodies of
+/// earlier layers, which overlap no more.
+class BodyUniter {
+ public:
+  BodyUniter(const BodyWalls& bodies, const Bodies& known, std::vector<glm::dvec3> place, const UniteOptions& options)
+      : bodies_(bodies),
+        known_(known),
+        place_(std::move(place)),
+        options_(options),
+        wall_(bodies.walls()),
+        windings_(wall_, bodies.count()),
+        united_(bodies.count()) {
+    find_near();
+    find_layers(false);
+    find_layers(true);
+    for (layer_ = 1; layer_ < layers_; ++layer_) unite_layer();
+  }
+
+  bool changed() const { return changed_; }
+  const std::vector<Wall>& walls() const { return wall_; }
+  const std::vector<glm::dvec3>& place() const { return place_; }
+  std::int32_t body_now(std::int32_t body) {
+    return static_cast<std::int32_t>(united_.root(static_cast<std::uint32_t>(body)));
+  }
+
+ private:
+  /// Which other bodies' boxes each triangle comes near, and the walls of each body that come near any.
+  void find_near() {
+    near_wall_.resize(bodies_.count());
+    for (std::uint32_t w = 0; w < wall_.size(); ++w) {
+      const WallCorners& c = wall_[w].facet.corner;
+      const Box<double> box = box_around(place_[c[0]], place_[c[1]], place_[c[2]]);
+      near_.emplace_back();
+      for (const std::int32_t body : bodies_.met(index(wall_[w].facet.body)))
+        if (box.meets(bodies_.box(body))) near_.back().push_back(body);
+      if (!near_.back().empty()) near_wall_[index(wall_[w].facet.body)].push_back(w);
+    }
+    first_part_ = static_cast<std::uint32_t>(wall_.size());
+  }
+
+  /// Of the wall that it is a part of.
+  const std::vector<std::int32_t>& near(std::uint32_t wall) const {
+    return near_[wall < first_part_ ? wall : part_of_[wall - first_part_]];
+  }
+
+  bool is_apart(std::int32_t body) const {
+    return std::find(options_.apart.begin(), options_.apart.end(), body) != options_.apart.end();
+  }
+
+  /// Bodies of many triangles first; those that stay apart behind all others.
+  void find_layers(bool apart) {
+    std::vector<std::size_t> size(bodies_.count(), 0);
+    for (const Wall& wall : wall_) ++size[index(wall.facet.body)];
+    std::vector<std::uint32_t> order(bodies_.count());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return size[a] > size[b]; });
+    const int first = layers_;
+    layer_of_.resize(bodies_.count(), -1);
+    for (const std::uint32_t body : order) {
+      if (is_apart(static_cast<std::int32_t>(body)) != apart) continue;
+      std::vector<int> taken;
+      for (const std::int32_t other : bodies_.met(body)) taken.push_back(layer_of_[index(other)]);
+      int layer = first;
+      while (std::find(taken.begin(), taken.end(), layer) != taken.end()) ++layer;
+      layer_of_[body] = layer;
+      layers_ = std::max(layers_, layer + 1);
+    }
+  }
+
+  bool is_other(bool of_first, std::int32_t body) const {
+    return of_first ? layer_of_[index(body)] == layer_ : layer_of_[index(body)] < layer_;
+  }
+
+  /// The walls of earlier bodies that come near one of this layer, or those of this layer that come near an earlier.
+  std::vector<std::uint32_t> concerned(bool of_first) const {
+    std::vector<std::uint32_t> walls;
+    for (std::size_t b = 0; b < bodies_.count(); ++b) {
+      if (is_other(of_first, static_cast<std::int32_t>(b)) || layer_of_[b] > layer_) continue;
+      for (const std::uint32_t w : near_wall_[b]) {
+        if (wall_[w].is_inside || wall_[w].is_parted) continue;
+        const std::vector<std::int32_t>& by = near(w);
+        if (std::any_of(by.begin(), by.end(), [&](std::int32_t body) { return is_other(of_first, body); }))
+          walls.push_back(w);
+      }
+    }
+    return walls;
+  }
+
+  std::vector<BodyFacet> facets(const std::vector<std::uint32_t>& walls) const {
+    std::vector<BodyFacet> all;
+    for (const std::uint32_t w : walls) all.push_back(wall_[w].facet);
+    return all;
+  }
+
+  void unite_layer() {
+    const std::vector<std::uint32_t> first = concerned(true), second = concerned(false);
+    if (first.empty() && second.empty()) return;
+    const std::vector<BodyFacet> first_facets = facets(first), second_facets = facets(second);
+    LayerTask task{first_facets, second_facets, {}, {}};
+    task.body_around = [&](bool of_first, std::uint32_t facet) {
+      const std::uint32_t wall = of_first ? first[facet] : second[facet];
+      const glm::dvec3& point = place_[wall_[wall].facet.corner[0]];
+      for (const std::int32_t body : near(wall)) {
+        if (!is_other(of_first, body) || !holds(bodies_.box(body), point)) continue;
+        if (windings_.contains(body, point, of_first, place_)) return body;
+      }
+      return FacetPart::outside;
+    };
+    task.least_overlap = [&](std::int32_t body) { return min_overlap * known_.bodies[index(body)].volume; };
+    const LayerUnion all = layer_union(task, place_, options_.threads);
+    take(first, all.first);
+    take(second, all.second);
+  }
+
+  void take(const std::vector<std::uint32_t>& walls, const UnitedFacets& all) {
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      const std::uint32_t w = walls[i];
+      if (all.part[i].empty()) {
+        place_inside(wall_[w], all.inside[i]);
+        continue;
+      }
+      wall_[w].is_parted = true;
+      for (const FacetPart& part : all.part[i]) {
+        Wall one{{part.corner, wall_[w].facet.body}, wall_[w].source, false};
+        place_inside(one, part.inside);
+        near_wall_[index(one.facet.body)].push_back(static_cast<std::uint32_t>(wall_.size()));
+        part_of_.push_back(w < first_part_ ? w : part_of_[w - first_part_]);
+        wall_.push_back(one);
+      }
+    }
+  }
+
+  /// Of two bodies one of which stays apart, that one ends where it meets the other; else they become one.
+  void place_inside(Wall& wall, std::int32_t body) {
+    if (body == FacetPart::outside) return;
+    changed_ = true;
+    const std::int32_t own = wall.facet.body;
+    const bool ends = is_apart(own) && (!is_apart(body) || layer_of_[index(own)] > layer_of_[index(body)]);
+    wall.is_inside = ends || !is_apart(body);
+    if (!wall.is_inside) wall.also_of = body;
+    if (!is_apart(own) && !is_apart(body))
+      united_.join(static_cast<std::uint32_t>(own), static_cast<std::uint32_t>(body));
+  }
+
+  const BodyWalls& bodies_;
+  const Bodies& known_;
+  std::vector<glm::dvec3> place_;
+  const UniteOptions& options_;
+  std::vector<Wall> wall_;  // the parts behind the whole ones
+  BodyWindings windings_;
+  DisjointSets united_;                                // of bodies
+  std::vector<std::vector<std::int32_t>> near_;        // per whole wall
+  std::vector<std::vector<std::uint32_t>> near_wall_;  // per body
+  std::uint32_t first_part_ = 0;
+  std::vector<std::uint32_t> part_of_;  // per part: the whole wall
+  std::vector<int> layer_of_;           // per body
+  int layers_ = 0, layer_ = 0;
+  bool changed_ = false;
+};
+
+/// The surfaces with walls parted and turned inner.
+class SurfaceUniter {
+  static constexpr std::uint32_t unset = 0xffffffffu;
+
+ public:
+  SurfaceUniter(const DiffusionSurfaces& surfaces, BodyUniter& uniter)
+      : from_(surfaces), uniter_(uniter), place_(uniter.place()), of_triangle_(surfaces.triangle_count()) {
+    const std::vector<Wall>& walls = uniter.walls();
+    for (std::uint32_t w = 0; w < walls.size(); ++w)
+      if (!walls[w].is_parted) of_triangle_[walls[w].source].push_back(w);
+  }
+
+  UnitedBodies run(const Bodies& bodies) {
+    to_ = from_;
+    to_.triangle.clear(), to_.surface.clear(), to_.front_part.clear(), to_.back_part.clear();
+    result_.bodies = bodies;
+    result_.bodies.of_triangle.clear();
+    for (std::uint32_t t = 0; t < from_.triangle_count(); ++t) {
+      const std::int32_t body = bodies.of_triangle[t];
+      const std::int32_t now = body == Bodies::none ? body : uniter_.body_now(body);
+      if (of_triangle_[t].empty()) add(t, from_.triangle[t], now);
+      for (const std::uint32_t w : of_triangle_[t]) add_wall(uniter_.walls()[w], now);
+    }
+    result_.surfaces = std::move(to_);
+    return std::move(result_);
+  }
+
+ private:
+  void add(std::uint32_t source, const glm::uvec3& triangle, std::int32_t body) {
+    to_.triangle.push_back(triangle);
+    to_.surface.push_back(from_.surface[source]);
+    to_.front_part.push_back(from_.front_part[source]);
+    to_.back_part.push_back(from_.back_part[source]);
+    result_.bodies.of_triangle.push_back(body);
+  }
+
+  void add_wall(const Wall& wall, std::int32_t body) {
+    glm::uvec3 vertex = from_.triangle[wall.source];
+    if (!wall.is_whole) {
+      for (int k = 0; k < 3; ++k) vertex[k] = vertex_at(wall, wall.facet.corner[static_cast<std::size_t>(k)]);
+      if (from_.is_hidden(wall.source, SideOf::back)) std::swap(vertex.y, vertex.z);
+    }
+    if (wall.also_of != FacetPart::outside) add(wall.source, changed(vertex, ended_), wall.also_of);
+    if (wall.is_inside)
+      add(wall.source, changed(vertex, inner_), Bodies::none);
+    else
+      add(wall.source, vertex, body);
+  }
+
+  /// A vertex of the triangle, or one between two of its vertices, which its neighbour shares, or one within it.
+  std::uint32_t vertex_at(const Wall& wall, std::uint32_t point) {
+    const glm::uvec3& v = from_.triangle[wall.source];
+    const glm::dvec3& p = place_[point];
+    for (int k = 0; k < 3; ++k)
+      if (glm::dvec3(from_.position[v[k]]) == p) return v[k];
+    const std::array<double, 3> weight = weights_in(
+        {glm::dvec3(from_.position[v.x]), glm::dvec3(from_.position[v.y]), glm::dvec3(from_.position[v.z])}, p);
+    const auto [entry, is_new] = made_.try_emplace(std::uint64_t{wall.source} << 32 | point, 0u);
+    if (is_new) entry->second = blended(v, weight, p, from_.is_hidden(wall.source, SideOf::front));
+    return entry->second;
+  }
+
+  std::uint32_t blended(const glm::uvec3& v, const std::array<double, 3>& weight, const glm::dvec3& p,
+                        bool front_hidden) {
+    Color front(0), back(0);
+    float blur = 0;
+    for (int k = 0; k < 3; ++k) {
+      const auto w = static_cast<float>(weight[static_cast<std::size_t>(k)]);
+      front += w * from_.front_color[v[k]];
+      back += w * from_.back_color[v[k]];
+      blur += w * from_.blur[v[k]];
+    }
+    const auto number = static_cast<std::uint32_t>(to_.vertex_count());
+    to_.position.emplace_back(p);
+    to_.front_color.push_back(front);
+    to_.back_color.push_back(back);
+    to_.blur.push_back(blur);
+    to_.front_hidden.push_back(front_hidden ? 1 : 0);
+    to_.back_hidden.push_back(front_hidden ? 0 : 1);
+    return number;
+  }
+
+  using Copies = std::vector<std::uint32_t>;  // by vertex
+
+  /// The same triangle with other sides hidden: of `inner_` none, of `ended_` those that were visible.
+  glm::uvec3 changed(glm::uvec3 triangle, Copies& copies) {
+    for (int k = 0; k < 3; ++k) {
+      if (copies.size() <= triangle[k]) copies.resize(to_.vertex_count(), unset);
+      if (copies[triangle[k]] == unset) {
+        const std::uint32_t copy = doubled_vertex(to_, triangle[k]);
+        copies[triangle[k]] = copy;
+        std::uint8_t &front = to_.front_hidden[copy], &back = to_.back_hidden[copy];
+        std::swap(front, back);
+        if (&copies == &inner_) front = back = 0;
+      }
+      triangle[k] = copies[triangle[k]];
+    }
+    return triangle;
+  }
+
+  const DiffusionSurfaces& from_;
+  BodyUniter& uniter_;
+  const std::vector<glm::dvec3>& place_;
+  std::vector<std::vector<std::uint32_t>> of_triangle_;    // walls that are no longer parted, per triangle
+  std::unordered_map<std::uint64_t, std::uint32_t> made_;  // by triangle and point
+  Copies inner_, ended_;
+  DiffusionSurfaces to_;
+  UnitedBodies result_;
+};
+
+}  // namespace
+
+std::optional<UnitedBodies> united_bodies(const DiffusionSurfaces& surfaces, const Bodies& bodies,
+                                          const UniteOptions& options) {
+  const BodyWalls walls(surfaces, bodies);
+  if (!walls.meet()) return std::nullopt;
+  std::vector<glm::dvec3> place;
+  for (const glm::vec3& p : surfaces.position) place.emplace_back(p);
+  BodyUniter uniter(walls, bodies, std::move(place), options);
+  if (!uniter.changed()) return std::nullopt;
+  return SurfaceUniter(surfaces, uniter).run(bodies);
+}
+
+}  // namespace pomona
