@@ -76,9 +76,9 @@ TEST(PatchCover, CoversWhatLiesOnTheSheetOrWithinTheBound) {
 
 TEST(PatchCover, SeesAPeakBetweenTheCorners) {
   Solid solid = sheet();
-  solid.mesh.position[at(3, 1)].z = 0.99f * bound;
+  solid.mesh.position[at(3, 1)].z = 0.099f;
   EXPECT_TRUE(covers(solid, whole_at(0)));
-  solid.mesh.position[at(3, 1)].z = 1.01f * bound;
+  solid.mesh.position[at(3, 1)].z = 0.101f;
   EXPECT_FALSE(covers(solid, whole_at(0)));
 }
 
@@ -136,8 +136,8 @@ std::size_t uncovered_with_peak(float height) {
 }
 
 TEST(UncoveredFaces, AreThoseAtAPeakThatIsGone) {
-  EXPECT_EQ(uncovered_with_peak(0.99f * bound), 0u);
-  EXPECT_EQ(uncovered_with_peak(1.01f * bound), 6u);
+  EXPECT_EQ(uncovered_with_peak(0.099f), 0u);
+  EXPECT_EQ(uncovered_with_peak(0.101f), 6u);
 }
 
 TEST(IsCovered, PutsPiecesTogether) {
