@@ -1,125 +1,157 @@
 #include "generator/piece/lod/decimate.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <numeric>
+#include <optional>
+#include <queue>
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
-#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
-#include <OpenMesh/Tools/Decimater/Observer.hh>
-
-#include "generator/base/error.h"
+#include "generator/piece/lod/collapse.h"
+#include "generator/piece/lod/collapse_cost.h"
+#include "generator/piece/lod/collapse_rules.h"
+#include "generator/piece/lod/level_cover.h"
+#include "generator/piece/lod/patch_cover.h"
 
 namespace pomona {
 namespace {
 
-namespace decimater = OpenMesh::Decimater;
+/// The cheapest collapse of a vertex, as far as is known.
+struct CheapestCollapse {
+  double cost = 0;
+  std::uint32_t fan = 0, to = 0;
 
-struct Traits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
-  VertexAttributes(OpenMesh::Attributes::Status);
-  HalfedgeAttributes(OpenMesh::Attributes::Status);
-  EdgeAttributes(OpenMesh::Attributes::Status);
-  FaceAttributes(OpenMesh::Attributes::Status);
+  /// The dearest first, as heaps want it; no two are equal.
+  bool operator<(const CheapestCollapse& b) const { return cost != b.cost ? cost > b.cost : fan > b.fan; }
 };
-using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
-using CollapseInfo = decimater::CollapseInfoT<HalfEdgeMesh>;
 
-HalfEdgeMesh half_edge_mesh(const VertexFans& fans, const Solid& solid) {
-  HalfEdgeMesh mesh;
-  for (std::size_t f = 0; f < fans.vertex.size(); ++f) {
-    const glm::vec3& p = solid.mesh.position[fans.vertex[f]];
-    const auto vertex = mesh.add_vertex({p.x, p.y, p.z});
-    mesh.status(vertex).set_locked(fans.is_locked[f] != 0);
-  }
-  for (const glm::uvec3& t : fans.triangle) {
-    const auto corner = [&](int i) { return HalfEdgeMesh::VertexHandle(static_cast<int>(t[i])); };
-    if (!mesh.add_face(corner(0), corner(1), corner(2)).is_valid())
-      throw Error(ExitStatus::bug, solid.name + ": fans do not fit a half-edge mesh");
-  }
-  return mesh;
-}
+/// A vertex in the queue: at most once.
+struct QueuedFan {
+  bool is_locked = false;
+  bool is_queued = false;
+  bool is_stale = false;               ///< its ring has changed since it was put there
+  std::vector<std::uint32_t> refused;  ///< neighbours it may not move to, until its ring changes
+};
 
-std::uint32_t number(HalfEdgeMesh::VertexHandle vertex) { return static_cast<std::uint32_t>(vertex.idx()); }
-
-CollapseRing ring_of(const CollapseInfo& collapse) {
-  const HalfEdgeMesh& mesh = collapse.mesh;
-  CollapseRing ring{.removed = number(collapse.v0), .spoke = {}, .face = {}};
-  HalfEdgeMesh::HalfedgeHandle spoke = collapse.v0v1;
-  do {
-    ring.spoke.push_back(number(mesh.to_vertex_handle(spoke)));
-    ring.face.push_back(mesh.face_handle(spoke).idx());
-    spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
-  } while (spoke != collapse.v0v1);
-  return ring;
-}
-
-/// Quadrics for the shape, and the rules for all else.
-class RuledQuadric : public decimater::ModQuadricT<HalfEdgeMesh> {
+class Decimation {
  public:
-  using Quadric = decimater::ModQuadricT<HalfEdgeMesh>;
-  using Quadric::Quadric;
-
-  void follow(CollapseRules& rules) { rules_ = &rules; }
-
-  float collapse_priority(const CollapseInfo& collapse) override {
-    // The decimater takes the cheapest collapse of each vertex, so collapses above the best so far may be forbidden.
-    const float shape = Quadric::collapse_priority(collapse);
-    if (collapse.v0 != asked_) asked_ = collapse.v0, min_ = std::numeric_limits<float>::max();
-    const std::optional<double> rest = rules_->cost(ring_of(collapse), double{min_} - shape);
-    if (!rest) return ILLEGAL_COLLAPSE;
-    return min_ = std::min(min_, shape + static_cast<float>(*rest));
+  Decimation(const LevelSource& source, double metres_per_color, const std::vector<std::uint8_t>& locked)
+      : source_(source),
+        level_(level_mesh(source)),
+        costs_(collapse_costs(source, level_, metres_per_color)),
+        cover_(source),
+        fans_(source.position.size()) {
+    for (std::size_t f = 0; f < locked.size(); ++f) fans_[f].is_locked = locked[f] != 0;
   }
 
-  void preprocess_collapse(const CollapseInfo& collapse) override { rules_->collapse(ring_of(collapse)); }
+  const LevelMesh& level() const { return level_; }
 
-  void postprocess_collapse(const CollapseInfo& collapse) override {
-    Quadric::postprocess_collapse(collapse);
-    asked_.invalidate();
+  /// Per face: 1 if it has changed in the last level.
+  const std::vector<std::uint8_t>& changed() const { return changed_; }
+
+  void reach(const LevelTarget& target) {
+    // With looser bounds what was refused is asked anew.
+    changed_.assign(source_.patch.size(), 0);
+    for (std::uint32_t fan = 0; fan < fans_.size(); ++fan) {
+      if (level_.mesh.has(fan)) renew(fan);
+    }
+    while (level_.faces > target.faces && !queue_.empty()) {
+      const CheapestCollapse cheapest = queue_.top();
+      queue_.pop();
+      take(cheapest, target.bounds);
+    }
   }
 
  private:
-  CollapseRules* rules_ = nullptr;
-  HalfEdgeMesh::VertexHandle asked_;
-  float min_ = std::numeric_limits<float>::max();
-};
+  void take(const CheapestCollapse& cheapest, const LevelBounds& bounds) {
+    QueuedFan& queued = fans_[cheapest.fan];
+    queued.is_queued = false;
+    if (!level_.mesh.has(cheapest.fan)) return;
+    if (!queued.is_stale) {
+      std::optional<Collapse> collapse = collapse_of(source_, level_, cheapest.fan, cheapest.to);
+      if (collapse && allows(source_, level_, bounds, cover_, *collapse)) {
+        make(*collapse);
+        return;
+      }
+      queued.refused.push_back(cheapest.to);
+    }
+    enqueue(cheapest.fan);
+  }
 
-/// Observes the decimater, and stops it when a level is reached.
-class LevelReached : public decimater::Observer {
- public:
-  explicit LevelReached(const CollapseRules& rules) : Observer(1), rules_(rules) {}
+  void make(const Collapse& collapse) {
+    take_over_shape(costs_, source_, collapse.fan, collapse.to());
+    for (const CollapseSector& sector : collapse.sector) {
+      take_over_tint(costs_, sector.from, sector.to);
+      for (const CollapseTarget& target : sector.target) changed_[target.face] = 1;
+    }
+    apply(level_, collapse);
+    for (const Spoke& spoke : collapse.ring) renew(spoke.fan);
+  }
 
-  void aim_at(std::size_t faces) { faces_ = faces; }
-  void notify(std::size_t) override {}
-  bool abort() const override { return rules_.face_count() <= faces_; }
+  /// After a change at the vertex. Costs grow as a rule: one that is queued may wait until it is its turn.
+  void renew(std::uint32_t fan) {
+    fans_[fan].refused.clear();
+    fans_[fan].is_stale = true;
+    if (!fans_[fan].is_queued) enqueue(fan);
+  }
 
- private:
-  const CollapseRules& rules_;
-  std::size_t faces_ = 0;
+  /// The cheapest collapse that has not been refused. On a border vertices move along it; where borders meet or end,
+  /// they stay.
+  void enqueue(std::uint32_t fan) {
+    QueuedFan& queued = fans_[fan];
+    queued.is_stale = false;
+    if (queued.is_locked) return;
+    ring_ = ring_around(level_.mesh, fan, std::move(ring_));
+    const auto on_border = [&](const Spoke& spoke) { return level_.is_border(spoke.half_edge); };
+    const auto borders = std::count_if(ring_.begin(), ring_.end(), on_border);
+    if (borders != 0 && borders != 2) return;
+    CheapestCollapse best{.cost = std::numeric_limits<double>::infinity(), .fan = fan, .to = none};
+    for (const Spoke& spoke : ring_) {
+      if (borders != 0 && !on_border(spoke)) continue;
+      if (std::find(queued.refused.begin(), queued.refused.end(), spoke.fan) != queued.refused.end()) continue;
+      const double cost = cost_of(costs_, source_, level_, fan, spoke, borders != 0);
+      if (cost < best.cost || (cost == best.cost && spoke.fan < best.to)) best.cost = cost, best.to = spoke.fan;
+    }
+    if (best.to == none) return;
+    queued.is_queued = true;
+    queue_.push(best);
+  }
+
+  const LevelSource& source_;
+  LevelMesh level_;
+  CollapseCosts costs_;
+  PatchCover cover_;
+  std::vector<QueuedFan> fans_;  // per fan
+  std::vector<std::uint8_t> changed_;
+  std::priority_queue<CheapestCollapse> queue_;
+  Ring ring_;
 };
 
 }  // namespace
 
-std::vector<std::vector<CollapseRules::Face>> decimated(const VertexFans& fans, const Solid& solid,
-                                                        std::span<const LevelTarget> levels) {
-  CollapseRules rules(solid, fans);
-  LevelReached reached(rules);
-  HalfEdgeMesh mesh = half_edge_mesh(fans, solid);
-  decimater::DecimaterT<HalfEdgeMesh> decimater(mesh);
-  decimater::ModHandleT<RuledQuadric> quadric;
-  decimater.add(quadric);
-  decimater.module(quadric).follow(rules);
-  decimater.set_observer(&reached);
-  decimater.initialize();
-
-  // With looser bounds every vertex is tested again.
-  std::vector<std::vector<CollapseRules::Face>> faces;
-  for (const LevelTarget& level : levels) {
-    rules.set_bounds(level.bounds);
-    reached.aim_at(level.faces);
-    if (!reached.abort()) decimater.decimate();
-    faces.push_back(rules.faces());
-  }
+std::vector<std::vector<LevelFace>> decimated(const VertexFans& fans, const SolidMesh& solid,
+                                              std::span<const LevelTarget> levels) {
+  std::vector<std::vector<LevelFace>> faces;
+  if (levels.empty()) return faces;
+  const LevelSource source = level_source(fans, solid);
+  const LevelBounds& bounds = levels.front().bounds;
+  std::vector<std::uint8_t> locked = fans.is_locked;
+  std::vector<std::uint32_t> uncovered;
+  do {
+    Decimation decimation(source, bounds.distance / bounds.color, locked);
+    std::vector<std::uint32_t> near(source.patch.size());
+    std::iota(near.begin(), near.end(), 0u);
+    faces.clear();
+    for (const LevelTarget& level : levels) {
+      decimation.reach(level);
+      uncovered = uncovered_faces(source, decimation.level(), level.bounds.distance, decimation.changed(), near);
+      if (!uncovered.empty()) break;
+      faces.push_back(faces_of(decimation.level(), fans));
+    }
+    // Where something of the solid is too far off, its corners stay, and all begins anew.
+    for (const std::uint32_t face : uncovered)
+      for (const std::uint32_t fan : source.mesh.corner[face]) locked[fan] = 1;
+  } while (!uncovered.empty());
   return faces;
 }
 

@@ -12,7 +12,7 @@
 namespace pomona {
 namespace {
 
-using Faces = std::vector<CollapseRules::Face>;
+using Faces = std::vector<LevelFace>;
 
 /// Half the triangles serve a picture of half the area, so errors grow by the root of two.
 constexpr double level_growth = 1.4142135623730951;
@@ -34,7 +34,7 @@ double size_of(const Solid& solid) {
 }
 
 std::vector<LevelTarget> targets_of(const Solid& solid, std::size_t frozen, const LodOptions& options) {
-  CollapseBounds bounds{options.error * size_of(solid), options.color_error};
+  LevelBounds bounds{options.error * size_of(solid), options.color_error};
   std::vector<LevelTarget> targets;
   for (int level = 1; level <= options.levels; ++level) {
     const std::size_t wanted = solid.mesh.triangle.size() >> level;
@@ -66,7 +66,7 @@ Solid solid_of(const Solid& whole, const Solid& bare, const Faces& faces) {
     if (!whole.mesh.guide.empty()) level.mesh.guide.push_back(whole.mesh.guide[v]);
     return number[v] = static_cast<std::uint32_t>(level.mesh.position.size() - 1);
   };
-  for (const CollapseRules::Face& face : faces) {
+  for (const LevelFace& face : faces) {
     const std::uint32_t a = vertex(face.vertex.x), b = vertex(face.vertex.y), c = vertex(face.vertex.z);
     level.mesh.triangle.emplace_back(a, b, c);
     level.mesh.cut_face.push_back(whole.mesh.cut_face[face.source]);
@@ -92,7 +92,7 @@ std::vector<Solid> levels_of_detail(const Solid& solid, const LodOptions& option
   Solid bare = solid;
   bare.mesh = {};
   std::size_t before = solid.mesh.triangle.size();
-  for (Faces& faces : decimated(fans, solid, targets_of(solid, frozen.size(), options))) {
+  for (Faces& faces : decimated(fans, solid.mesh, targets_of(solid, frozen.size(), options))) {
     faces.insert(faces.end(), frozen.begin(), frozen.end());
     std::sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.source < b.source; });
     if (faces.size() >= before) break;

@@ -31,6 +31,7 @@ class FanBuilder {
     freeze();
     join_corners();
     number_fans();
+    pair_edges();
     lock();
     return std::move(fans_);
   }
@@ -55,9 +56,13 @@ class FanBuilder {
     return 3 * triangle + (t.x == place ? 0u : t.y == place ? 1u : 2u);
   }
 
+  bool is_paired(std::span<const HalfEdge> edge) const {
+    return edge.size() == 2 && is_frozen_[edge[0].triangle] == 0 && is_frozen_[edge[1].triangle] == 0;
+  }
+
   void join_corners() {
     for_each_edge(edges_, [&](std::span<const HalfEdge> edge) {
-      if (edge.size() != 2 || is_frozen_[edge[0].triangle] != 0 || is_frozen_[edge[1].triangle] != 0) return;
+      if (!is_paired(edge)) return;
       for (const std::uint32_t place : {edge[0].low, edge[0].high})
         corners_.join(corner_at(edge[0].triangle, place), corner_at(edge[1].triangle, place));
     });
@@ -81,6 +86,18 @@ class FanBuilder {
       fans_.triangle.push_back(triangle);
       fans_.source.push_back(t);
     }
+  }
+
+  void pair_edges() {
+    std::vector<std::uint32_t> number(place_.size(), unset);  // of those that are not frozen
+    for (std::uint32_t f = 0; f < fans_.source.size(); ++f) number[fans_.source[f]] = f;
+    fans_.twin.assign(3 * fans_.source.size(), unset);
+    for_each_edge(edges_, [&](std::span<const HalfEdge> edge) {
+      if (!is_paired(edge)) return;
+      const std::uint32_t a = 3 * number[edge[0].triangle] + edge[0].side;
+      const std::uint32_t b = 3 * number[edge[1].triangle] + edge[1].side;
+      fans_.twin[a] = b, fans_.twin[b] = a;
+    });
   }
 
   void lock() {

@@ -1,0 +1,64 @@
+// From a level to the solid: whether every point of a triangle lies near the solid, which is proved, not sampled.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "generator/piece/lod/level_mesh.h"
+
+namespace pomona {
+
+/// A triangle of a level, and what of the solid may be near it.
+struct CoverQuery {
+  TriangleCorners corner;
+  std::uint32_t patch = 0;
+  std::uint32_t fan = 0;                 ///< at one of its corners
+  std::array<std::uint32_t, 3> chain{};  ///< the border along each side; none where there is none
+  double bound = 0;                      ///< metres
+};
+
+/// The triangles of the solid above and below one of a level are found by walking from neighbour to neighbour.
+///
+/// Of those, as many as face up less as many as face down lie above every point of the triangle: the number changes
+/// only where the walk ends inside the triangle, and it ends only at a chain that a side of the triangle stands for. So
+/// if at one point a triangle faces up, one does at every point, and no higher than the bound; or else the point lies
+/// between side and chain, and as near to the chain as the chain to the side.
+class PatchCover {
+ public:
+  explicit PatchCover(const LevelSource& source) : source_(source), visit_(source.patch.size(), 0) {}
+
+  /// True if each point of the triangle is within the bound of its patch of the solid, on the same side. The chains of
+  /// its sides must be within the bound of these sides. False may also mean that this could not be found out so.
+  bool covers(const CoverQuery& query, const BorderChains& chains);
+
+ private:
+  /// A point, seen from the triangle: how far inside of each side, and how high; metres.
+  struct Seen {
+    std::array<double, 3> inside{};
+    double height = 0;
+  };
+  /// An edge over which the walk goes on, from the face beyond it.
+  struct Step {
+    std::uint32_t half_edge = 0;
+    Seen from, to;
+  };
+  struct Frame;
+
+  std::optional<int> enter(const Frame& frame, std::uint32_t face, const std::array<Seen, 3>& corner);
+  static bool may_end_at(const Frame& frame, std::uint32_t a, std::uint32_t b);
+  Seen seen(const Frame& frame, std::uint32_t fan) const;
+  bool is_out_of_the_way_of_chains(const Frame& frame) const;
+  static std::array<double, 3> weights_of_center(const CoverQuery& query);
+  static double height_within(const Frame& frame, const std::array<Seen, 3>& corner);
+  static int sheets_at_center(const Frame& frame, const std::array<Seen, 3>& corner);
+
+  const LevelSource& source_;
+  std::vector<std::uint32_t> visit_;  // per face: the number of the walk that saw it last
+  std::uint32_t walk_ = 0;
+  std::vector<Step> steps_;
+  Ring ring_;
+};
+
+}  // namespace pomona
