@@ -9,6 +9,9 @@ namespace pomona {
 
 namespace {
 
+/// Points that keep a large card busy while more fruits are uploaded.
+constexpr std::size_t enough_points = 16384;
+
 PointSight point_sight(const SightTask& task, const Sight& sight, int lines) {
   const double weight = static_cast<double>(sight.weight) * (2 * pi / lines) * task.frame->scale;
   return {{glm::dvec3(sight.mean), task.frame->used_parts[sight.heaviest], weight}, sight.near_surface};
@@ -20,9 +23,10 @@ GlPmvc::GlPmvc(const CurrentGl& gl, const GlRayCaster& caster, GlFruits& fruits,
     : gl_(gl), caster_(caster), fruits_(fruits), sampling_(sampling), lines_(GlRayCaster::lines(gl, sampling.lines)) {}
 
 void GlPmvc::start(std::span<const SightTask* const> tasks) {
-  std::size_t first = tasks_.size();
+  std::size_t first = tasks_.size(), points = 0;
   for (const SightTask* task : tasks) {
-    if (!fruits_.place(task->fruit)) {
+    const bool is_new = !fruits_.place(task->fruit);
+    if (is_new) {
       const std::shared_ptr<const RaySurfaces> surfaces = task->surfaces();
       if (!fruits_.add(gl_, task->fruit, *surfaces)) {
         // Let the card finish with what it has, to make room.
@@ -35,6 +39,11 @@ void GlPmvc::start(std::span<const SightTask* const> tasks) {
     }
     tasks_.push_back(task);
     sights_.emplace_back();
+    points += task->eye.size();
+    if (!is_new || points < enough_points) continue;
+    cast(first);
+    first = tasks_.size();
+    points = 0;
   }
   cast(first);
 }

@@ -8,6 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/diffusion/resolved_colors.h"
 #include "render/diffusion/gl_diffuser.h"
 #include "render/diffusion/gl_pmvc.h"
 #include "tests/diffusion/fields.h"
