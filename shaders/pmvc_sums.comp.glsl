@@ -2,7 +2,7 @@
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) restrict buffer Totals { float total[]; };      // 64 * (4 + parts) for each group
-layout(std430, binding = 1) writeonly restrict buffer Seen { vec4 seen[]; };  // 2 for each point
+layout(std430, binding = 1) writeonly restrict buffer Seen { vec4 seen[]; };  // 2 for each point, see pmvc_near
 layout(std430, binding = 5) readonly restrict buffer Groups { uvec4 group[]; };
 layout(std430, binding = 7) readonly restrict buffer Sums { float sum[]; };
 

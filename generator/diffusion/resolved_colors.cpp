@@ -48,6 +48,20 @@ SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const Surface
   return sides;
 }
 
+SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
+                                std::span<const glm::vec3> points, std::span<const std::uint8_t> near_surface,
+                                Threads threads) {
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (near_surface[i] != 0) near.push_back(i);
+  }
+  SidesOfPoints sides(points.size());
+  parallel_for(near.size(), threads, [&](std::size_t i) {
+    sides[near[i]] = nearest_side(surfaces, tree, glm::dvec3(points[near[i]]), on_surface * tree.size);
+  });
+  return sides;
+}
+
 SidesOfPoints sides_where_known(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                 std::span<const glm::vec3> points, SidesOfPoints sides,
                                 std::span<const PmvcValue> values, Threads threads) {

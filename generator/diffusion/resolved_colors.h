@@ -1,6 +1,7 @@
 // From positive mean values to colours: the last steps, which all methods of computing them share.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,11 @@ void require_finite(std::span<const glm::vec3> points);
 using SidesOfPoints = std::vector<std::optional<SurfaceSide>>;
 SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                 std::span<const glm::vec3> points, Threads threads);
+
+/// The same, where only points with an entry other than 0 in `near_surface` can lie on a surface.
+SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
+                                std::span<const glm::vec3> points, std::span<const std::uint8_t> near_surface,
+                                Threads threads);
 
 /// Beside these, the nearest side of points that see nothing. One value per point.
 SidesOfPoints sides_where_known(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,

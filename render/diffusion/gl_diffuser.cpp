@@ -1,13 +1,12 @@
 #include "render/diffusion/gl_diffuser.h"
 
-#include <algorithm>
-#include <map>
-#include <mutex>
+#include <future>
+#include <optional>
 #include <utility>
 
-#include "generator/base/error.h"
 #include "generator/diffusion/resolved_colors.h"
-#include "render/diffusion/gl_pmvc.h"
+#include "render/diffusion/asked_fruits.h"
+#include "render/diffusion/gl_thread.h"
 
 namespace pomona {
 
@@ -26,114 +25,125 @@ LineSampling sampling_of(Quality quality) {
   return {.lines = 12288};  // as many directions as the reference on the CPU
 }
 
-/// A prepared fruit: data for the card, and for the points that the CPU resolves.
-struct PreparedFruit {
-  SurfaceTree tree;
-  ColorHull hull;
-  RaySurfaces rays;
-};
-
-PreparedFruit prepared(const DiffusionSurfaces& surfaces) {
-  PreparedFruit fruit{make_surface_tree(surfaces), {}, {}};
-  fruit.hull = hull_of(surfaces, fruit.tree);
-  fruit.rays = ray_surfaces(surfaces, fruit.tree);
-  return fruit;
-}
-
-/// The context and its programs, for one thread at a time.
+/// The context, its programs, and the fruits that it keeps.
 class GlEngine {
  public:
-  explicit GlEngine(std::unique_ptr<GlContext> context) : context_(std::move(context)) {
-    const CurrentGl gl(*context_);
-    caster_.emplace(gl, *context_);
+  GlEngine(std::unique_ptr<GlContext> context, const GlDiffuserOptions& options)
+      : options_(options), thread_(std::move(context)) {
+    const auto set_up = [this](const CurrentGl& gl) {
+      caster_.emplace(gl, thread_.context());
+      on_card_.emplace(caster_->max_bytes());
+    };
+    thread_.start(set_up).get();
   }
   ~GlEngine() {
-    try {
-      const CurrentGl gl(*context_);
+    const auto free_all = [this](const CurrentGl&) {
+      on_card_.reset();
       caster_.reset();
-    } catch (const Error&) {
-      // The driver has given up; with the context go its programs.
-    }
+    };
+    thread_.start(free_all).wait();
   }
   GlEngine(const GlEngine&) = delete;
   GlEngine& operator=(const GlEngine&) = delete;
 
-  std::string renderer() const { return context_->renderer(); }
+  std::string renderer() const { return thread_.context().renderer(); }
 
-  std::vector<std::vector<PmvcValue>> values(std::span<const RaySurfaces> fruits, std::span<const SightTask> tasks,
-                                             const LineSampling& sampling) {
-    const std::lock_guard<std::mutex> only(mutex_);
-    const CurrentGl gl(*context_);
-    return gl_pmvc(gl, *caster_, fruits, tasks, sampling);
+  /// Makes a fruit ready, to be found by later calls.
+  void prepare(const DiffusionSurfaces& surfaces) { kept_.of(surfaces); }
+
+  std::vector<DiffusedColors> diffuse(std::span<const DiffusionTask> tasks) {
+    for (const DiffusionTask& task : tasks) require_finite(task.points);
+    const std::vector<TaskSights> sights = sights_of_tasks(looked_at(tasks), tasks);
+    const Threads within = tasks.size() > 1 ? Threads{1} : options_.threads;
+    std::vector<DiffusedColors> colors(tasks.size());
+    parallel_for(tasks.size(), options_.threads, [&](std::size_t t) {
+      const auto& [surfaces, points] = tasks[t];
+      const PreparedFruit& fruit = *sights[t].fruit;
+      const SidesOfPoints sides = sides_on_surfaces(*surfaces, fruit.tree, points, sights[t].near_surface, within);
+      colors[t] = resolved_colors(*surfaces, fruit.tree, fruit.hull, points, sides, sights[t].value, within);
+    });
+    return colors;
   }
 
  private:
-  std::unique_ptr<GlContext> context_;
+  /// While fruits are made ready, those that are go to the card, and it looks.
+  std::vector<AskedFruit> looked_at(std::span<const DiffusionTask> tasks) {
+    std::vector<AskedFruit> fruits = asked_fruits(tasks);
+    ReadyQueue<AskedFruit*> ready;
+    std::future<void> looked = thread_.start([&](const CurrentGl& gl) { look(gl, ready); });
+    try {
+      parallel_for(fruits.size(), options_.threads, [&](std::size_t i) {
+        make_ready(fruits[i], tasks, kept_);
+        ready.put(&fruits[i]);
+      });
+    } catch (...) {
+      ready.close();
+      looked.wait();
+      throw;
+    }
+    ready.close();
+    looked.get();
+    return fruits;
+  }
+
+  /// Looks at all that becomes ready.
+  void look(const CurrentGl& gl, ReadyQueue<AskedFruit*>& ready) {
+    GlPmvc pmvc(gl, *caster_, *on_card_, sampling_of(options_.quality));
+    std::vector<AskedFruit*> started;
+    for (std::vector<AskedFruit*> next = ready.take(); !next.empty(); next = ready.take()) {
+      std::vector<const SightTask*> tasks;
+      for (const AskedFruit* asked : next) tasks.push_back(&asked->sight);
+      pmvc.start(tasks);
+      started.insert(started.end(), next.begin(), next.end());
+    }
+    std::vector<std::vector<PointSight>> seen = pmvc.finish();
+    for (std::size_t i = 0; i < started.size(); ++i) started[i]->seen = std::move(seen[i]);
+  }
+
+  GlDiffuserOptions options_;
+  KeptFruits kept_;
+  GlThread thread_;
+
+  // Used on that thread alone.
   std::optional<GlRayCaster> caster_;
-  std::mutex mutex_;
+  std::optional<GlFruits> on_card_;
 };
 
 class GlField final : public ColorField {
  public:
-  GlField(const DiffusionSurfaces& surfaces, std::shared_ptr<GlEngine> engine, const GlDiffuserOptions& options)
-      : surfaces_(surfaces), engine_(std::move(engine)), options_(options), fruit_(prepared(surfaces)) {}
+  GlField(const DiffusionSurfaces& surfaces, std::shared_ptr<GlEngine> engine)
+      : surfaces_(surfaces), engine_(std::move(engine)) {
+    engine_->prepare(surfaces);
+  }
 
   DiffusedColors at(std::span<const glm::vec3> points) const override {
-    require_finite(points);
-    const SightTask task{0, points};
-    const auto values = engine_->values({&fruit_.rays, 1}, {&task, 1}, sampling_of(options_.quality));
-    return resolved_colors(surfaces_, fruit_.tree, fruit_.hull, points, values.front(), options_.threads);
+    const DiffusionTask task{&surfaces_, points};
+    return std::move(engine_->diffuse({&task, 1}).front());
   }
 
  private:
   const DiffusionSurfaces& surfaces_;
   std::shared_ptr<GlEngine> engine_;  // a field may outlive its diffuser
-  GlDiffuserOptions options_;
-  PreparedFruit fruit_;
 };
 
 class GlDiffuser final : public Diffuser {
  public:
   GlDiffuser(std::unique_ptr<GlContext> context, const GlDiffuserOptions& options)
-      : engine_(std::make_shared<GlEngine>(std::move(context))), options_(options) {}
+      : engine_(std::make_shared<GlEngine>(std::move(context), options)) {}
 
   const char* name() const override { return "gl"; }
   std::string device() const override { return engine_->renderer(); }
 
   std::unique_ptr<ColorField> field(const DiffusionSurfaces& surfaces) const override {
-    return std::make_unique<GlField>(surfaces, engine_, options_);
+    return std::make_unique<GlField>(surfaces, engine_);
   }
 
   std::vector<DiffusedColors> diffuse_all(std::span<const DiffusionTask> tasks) const override {
-    for (const DiffusionTask& task : tasks) require_finite(task.points);
-
-    // Each fruit once, however many sections it has.
-    std::vector<const DiffusionSurfaces*> distinct;
-    std::map<const DiffusionSurfaces*, std::size_t> index;
-    std::vector<SightTask> sights;
-    for (const DiffusionTask& task : tasks) {
-      const auto [place, is_new] = index.emplace(task.surfaces, distinct.size());
-      if (is_new) distinct.push_back(task.surfaces);
-      sights.push_back({place->second, task.points});
-    }
-    std::vector<PreparedFruit> fruits(distinct.size());
-    parallel_for(distinct.size(), options_.threads, [&](std::size_t i) { fruits[i] = prepared(*distinct[i]); });
-
-    std::vector<RaySurfaces> rays;
-    for (PreparedFruit& fruit : fruits) rays.push_back(std::move(fruit.rays));
-    const auto values = engine_->values(rays, sights, sampling_of(options_.quality));
-    std::vector<DiffusedColors> colors;
-    for (std::size_t t = 0; t < tasks.size(); ++t) {
-      const PreparedFruit& fruit = fruits[sights[t].fruit];
-      colors.push_back(
-          resolved_colors(*tasks[t].surfaces, fruit.tree, fruit.hull, tasks[t].points, values[t], options_.threads));
-    }
-    return colors;
+    return engine_->diffuse(tasks);
   }
 
  private:
   std::shared_ptr<GlEngine> engine_;
-  GlDiffuserOptions options_;
 };
 
 }  // namespace

@@ -10,62 +10,66 @@ namespace pomona {
 
 namespace {
 
-template <typename Value>
-GlBuffer joined(const CurrentGl& gl, std::span<const RaySurfaces> fruits, std::vector<Value> RaySurfaces::*array) {
-  std::vector<Value> all;
-  for (const RaySurfaces& fruit : fruits) all.insert(all.end(), (fruit.*array).begin(), (fruit.*array).end());
-  return {gl, GL_SHADER_STORAGE_BUFFER, all};
+/// Room for some ten fruits.
+constexpr std::size_t first_size = std::size_t{32} << 20;
+
+/// The arrays of a fruit, in the order of the buffers.
+std::array<std::span<const std::byte>, 4> arrays_of(const RaySurfaces& fruit) {
+  return {std::as_bytes(std::span(fruit.node)), std::as_bytes(std::span(fruit.triangle)),
+          std::as_bytes(std::span(fruit.side)), std::as_bytes(std::span(fruit.color))};
 }
-
-/// The limits of the buffers that may be the largest.
-struct Bytes {
-  std::size_t nodes = 0, triangles = 0, colors = 0;
-
-  void add(const RaySurfaces& fruit) {
-    nodes += fruit.node.size() * sizeof(RayNode);
-    triangles += fruit.triangle.size() * sizeof(RayTriangle);
-    colors += fruit.color.size() * sizeof(glm::vec4);
-  }
-  std::size_t max() const { return std::max({nodes, triangles, colors}); }
-};
 
 }  // namespace
 
-GlFruits uploaded(const CurrentGl& gl, std::span<const RaySurfaces> fruits) {
-  std::vector<FruitPlace> places;
-  FruitPlace next;
-  for (const RaySurfaces& fruit : fruits) {
-    places.push_back(next);
-    next.node += static_cast<std::uint32_t>(fruit.node.size());
-    next.triangle += static_cast<std::uint32_t>(fruit.triangle.size());
-    next.vertex += static_cast<std::uint32_t>(fruit.color.size() / 2);
-  }
-  GlFruits result{std::move(places), joined(gl, fruits, &RaySurfaces::node), joined(gl, fruits, &RaySurfaces::triangle),
-                  joined(gl, fruits, &RaySurfaces::side), joined(gl, fruits, &RaySurfaces::color)};
-  gl.check("uploading surfaces");
-  return result;
+std::optional<FruitPlace> GlFruits::place(std::uint64_t number) const {
+  const auto found = place_.find(number);
+  return found == place_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::vector<std::size_t> runs_that_fit(std::span<const RaySurfaces> fruits, std::size_t max_bytes) {
-  std::vector<std::size_t> borders{0};
-  Bytes run;
-  for (std::size_t i = 0; i < fruits.size(); ++i) {
-    Bytes alone;
-    alone.add(fruits[i]);
-    if (alone.max() > max_bytes) {
-      throw Error(ExitStatus::helper_missing,
-                  "surfaces of " + std::to_string(fruits[i].triangle.size()) + " triangles need storage buffers of " +
-                      std::to_string((alone.max() >> 20) + 1) + " MiB; this OpenGL has " +
-                      std::to_string(max_bytes >> 20) + " MiB",
-                  "use --diffuser cpu");
-    }
-    run.add(fruits[i]);
-    if (run.max() <= max_bytes) continue;
-    borders.push_back(i);
-    run = alone;
+std::optional<FruitPlace> GlFruits::add(const CurrentGl& gl, std::uint64_t number, const RaySurfaces& fruit) {
+  const auto arrays = arrays_of(fruit);
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    if (buffer_[i].used + arrays[i].size() <= max_bytes_) continue;
+    if (arrays[i].size() <= max_bytes_) return std::nullopt;
+    throw Error(ExitStatus::helper_missing,
+                "surfaces of " + std::to_string(fruit.triangle.size()) + " triangles need storage buffers of " +
+                    std::to_string((arrays[i].size() >> 20) + 1) + " MiB; this OpenGL has " +
+                    std::to_string(max_bytes_ >> 20) + " MiB",
+                "use --diffuser cpu");
   }
-  borders.push_back(fruits.size());
-  return borders;
+  for (std::size_t i = 0; i < arrays.size(); ++i) buffer_[i].append(gl, arrays[i], max_bytes_);
+  gl.check("uploading surfaces");
+
+  const FruitPlace place = next_;
+  next_.node += static_cast<std::uint32_t>(fruit.node.size());
+  next_.triangle += static_cast<std::uint32_t>(fruit.triangle.size());
+  next_.vertex += static_cast<std::uint32_t>(fruit.color.size() / 2);
+  place_.emplace(number, place);
+  return place;
+}
+
+void GlFruits::clear() {
+  for (Growing& growing : buffer_) growing.used = 0;
+  next_ = {};
+  place_.clear();
+}
+
+std::array<const GlBuffer*, 4> GlFruits::buffers() const {
+  std::array<const GlBuffer*, 4> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = &*buffer_[i].buffer;
+  return all;
+}
+
+void GlFruits::Growing::append(const CurrentGl& gl, std::span<const std::byte> bytes, std::size_t max_bytes) {
+  if (!buffer || used + bytes.size() > size) {
+    // Much larger, so that what is here is seldom copied: a card takes a millisecond for a new buffer.
+    size = std::min(std::max({2 * size, first_size, used + bytes.size()}), max_bytes);
+    GlBuffer larger(gl, GL_SHADER_STORAGE_BUFFER, nullptr, size);
+    if (buffer && used > 0) larger.copy(*buffer, used);
+    buffer.emplace(std::move(larger));
+  }
+  buffer->write(used, bytes);
+  used += bytes.size();
 }
 
 }  // namespace pomona

@@ -1,9 +1,11 @@
-// Fruits in storage buffers, as many at a time as fit.
+// Fruits in storage buffers, kept there from call to call.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "render/diffusion/ray_surfaces.h"
 #include "render/gl/objects.h"
@@ -15,16 +17,38 @@ struct FruitPlace {
   std::uint32_t node = 0, triangle = 0, vertex = 0;
 };
 
-/// Some fruits, uploaded one behind the other.
-struct GlFruits {
-  std::vector<FruitPlace> place;
-  GlBuffer nodes, triangles, sides, colors;
+/// Fruits one behind the other, until no more fit. Destroy this object while its context is current.
+class GlFruits {
+ public:
+  /// \param max_bytes  of each buffer
+  explicit GlFruits(std::size_t max_bytes) : max_bytes_(max_bytes) {}
+
+  /// Where the fruit of this number is; nothing if it is not here.
+  std::optional<FruitPlace> place(std::uint64_t number) const;
+
+  /// Puts a fruit behind those that are here; nothing if they leave no room for it.
+  /// \throws Error (helper_missing) if it needs more than there can be.
+  std::optional<FruitPlace> add(const CurrentGl& gl, std::uint64_t number, const RaySurfaces& fruit);
+
+  /// Forgets all fruits. What is being looked at remains until it has been seen.
+  void clear();
+
+  /// Nodes, triangles, sides, colours, in this order.
+  std::array<const GlBuffer*, 4> buffers() const;
+
+ private:
+  /// A buffer that holds `used` bytes of `size`.
+  struct Growing {
+    std::optional<GlBuffer> buffer;
+    std::size_t size = 0, used = 0;
+
+    void append(const CurrentGl& gl, std::span<const std::byte> bytes, std::size_t max_bytes);
+  };
+
+  std::size_t max_bytes_;
+  std::array<Growing, 4> buffer_;
+  FruitPlace next_;
+  std::map<std::uint64_t, FruitPlace> place_;
 };
-
-GlFruits uploaded(const CurrentGl& gl, std::span<const RaySurfaces> fruits);
-
-/// Runs of fruits whose buffers hold at most `max_bytes` each: the index at which every run begins, and the end.
-/// \throws Error (helper_missing) if one fruit alone needs more.
-std::vector<std::size_t> runs_that_fit(std::span<const RaySurfaces> fruits, std::size_t max_bytes);
 
 }  // namespace pomona

@@ -1,118 +1,117 @@
 #include "render/diffusion/gl_pmvc.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
-#include <glm/common.hpp>
-
-#include "generator/base/morton.h"
 #include "generator/base/units.h"
 
 namespace pomona {
 
 namespace {
 
-/// A point of a task.
-struct Asked {
-  std::size_t task = 0;
-  std::uint32_t point = 0;
-};
+/// Points that keep a large card busy while more fruits are uploaded.
+constexpr std::size_t enough_points = 16384;
 
-/// The points of a task along a Morton curve.
-std::vector<Asked> in_order(std::size_t task, std::span<const glm::vec3> points) {
-  if (points.empty()) return {};
-  glm::dvec3 low(points.front()), high = low;
-  for (const glm::vec3& point : points) {
-    low = glm::min(low, glm::dvec3(point));
-    high = glm::max(high, glm::dvec3(point));
-  }
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
-  keyed.reserve(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    keyed.emplace_back(morton_code(glm::dvec3(points[i]), low, high), i);
-  }
-  std::sort(keyed.begin(), keyed.end());
-  std::vector<Asked> order;
-  order.reserve(keyed.size());
-  for (const auto& [code, point] : keyed) order.push_back({task, point});
-  return order;
+PointSight point_sight(const SightTask& task, const Sight& sight, int lines) {
+  const double weight = static_cast<double>(sight.weight) * (2 * pi / lines) * task.frame->scale;
+  return {{glm::dvec3(sight.mean), task.frame->used_parts[sight.heaviest], weight}, sight.near_surface};
 }
-
-/// A run of fruits that is on the card, and the tasks in it.
-class PmvcRun {
- public:
-  PmvcRun(const CurrentGl& gl, const GlRayCaster& caster, std::span<const RaySurfaces> fruits, std::size_t first_fruit,
-          std::span<const SightTask> tasks)
-      : gl_(gl),
-        caster_(caster),
-        fruits_(fruits),
-        first_(first_fruit),
-        tasks_(tasks),
-        uploaded_(uploaded(gl, fruits)) {}
-
-  /// The values of the points in `asked`, in that order; neighbours in it share a work-group.
-  std::vector<Sight> sights(std::span<const Asked> asked, int lines) const {
-    std::vector<PointGroup> groups;
-    std::size_t task = tasks_.size();
-    for (const Asked& one : asked) {
-      const std::size_t fruit = tasks_[one.task].fruit - first_;
-      if (one.task != task || groups.back().eye.size() == PointGroup::size) {
-        groups.push_back({fruit, static_cast<std::uint32_t>(fruits_[fruit].used_parts.size()), {}});
-      }
-      task = one.task;
-      groups.back().eye.push_back(fruits_[fruit].normalized(tasks_[one.task].points[one.point]));
-    }
-    return caster_.along(gl_, uploaded_, groups, lines);
-  }
-
-  PmvcValue value(const Asked& one, const Sight& sight, int lines) const {
-    const RaySurfaces& fruit = fruits_[tasks_[one.task].fruit - first_];
-    return {glm::dvec3(sight.mean), fruit.used_parts[sight.heaviest],
-            static_cast<double>(sight.weight) * (2 * pi / lines) * fruit.scale};
-  }
-
- private:
-  const CurrentGl& gl_;
-  const GlRayCaster& caster_;
-  std::span<const RaySurfaces> fruits_;  ///< fruits of this run
-  std::size_t first_;                    ///< index of the first of them among all
-  std::span<const SightTask> tasks_;     ///< all
-  GlFruits uploaded_;
-};
 
 }  // namespace
 
-std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlRayCaster& caster,
-                                            std::span<const RaySurfaces> fruits, std::span<const SightTask> tasks,
-                                            const LineSampling& sampling) {
-  std::vector<std::vector<PmvcValue>> values;
-  for (const SightTask& task : tasks) values.emplace_back(task.points.size());
+GlPmvc::GlPmvc(const CurrentGl& gl, const GlRayCaster& caster, GlFruits& fruits, const LineSampling& sampling)
+    : gl_(gl), caster_(caster), fruits_(fruits), sampling_(sampling), lines_(GlRayCaster::lines(gl, sampling.lines)) {}
 
-  const std::vector<std::size_t> border = runs_that_fit(fruits, caster.max_bytes());
-  for (std::size_t r = 0; r + 1 < border.size(); ++r) {
-    std::vector<Asked> asked;
-    for (std::size_t t = 0; t < tasks.size(); ++t) {
-      if (tasks[t].fruit < border[r] || tasks[t].fruit >= border[r + 1]) continue;
-      const std::vector<Asked> order = in_order(t, tasks[t].points);
-      asked.insert(asked.end(), order.begin(), order.end());
+void GlPmvc::start(std::span<const SightTask* const> tasks) {
+  std::size_t first = tasks_.size(), points = 0;
+  for (const SightTask* task : tasks) {
+    const bool is_new = !fruits_.place(task->fruit);
+    if (is_new) {
+      const std::shared_ptr<const RaySurfaces> surfaces = task->surfaces();
+      if (!fruits_.add(gl_, task->fruit, *surfaces)) {
+        // Let the card finish with what it has, to make room.
+        cast(first);
+        settle();
+        first = tasks_.size();
+        fruits_.clear();
+        fruits_.add(gl_, task->fruit, *surfaces);
+      }
     }
-    const PmvcRun run(gl, caster, fruits.subspan(border[r], border[r + 1] - border[r]), border[r], tasks);
+    tasks_.push_back(task);
+    sights_.emplace_back();
+    points += task->eye.size();
+    if (!is_new || points < enough_points) continue;
+    cast(first);
+    first = tasks_.size();
+    points = 0;
+  }
+  cast(first);
+}
 
-    // Everything once; once more, along more lines, where colours scatter.
-    std::vector<Asked> rough;
-    const std::vector<Sight> sights = run.sights(asked, sampling.lines);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      values[asked[i].task][asked[i].point] = run.value(asked[i], sights[i], sampling.lines);
-      const bool scatters = static_cast<double>(sights[i].scatter) > sampling.max_scatter;
-      if (sampling.fine_lines > 0 && scatters) rough.push_back(asked[i]);
-    }
-    const std::vector<Sight> finer = run.sights(rough, sampling.fine_lines);
-    for (std::size_t i = 0; i < rough.size(); ++i) {
-      values[rough[i].task][rough[i].point] = run.value(rough[i], finer[i], sampling.fine_lines);
+std::vector<std::vector<PointSight>> GlPmvc::finish() {
+  settle();
+  return std::move(sights_);
+}
+
+std::vector<PointGroup> GlPmvc::groups_of(const SightTask& task, std::span<const glm::vec3> eyes) const {
+  const FruitPlace place = *fruits_.place(task.fruit);
+  const auto parts = static_cast<std::uint32_t>(task.frame->used_parts.size());
+  std::vector<PointGroup> groups;
+  for (std::size_t i = 0; i < eyes.size(); i += PointGroup::size) {
+    groups.push_back({place, parts, eyes.subspan(i, std::min(PointGroup::size, eyes.size() - i))});
+  }
+  return groups;
+}
+
+/// Looks from all points of the tasks from `first` on.
+void GlPmvc::cast(std::size_t first) {
+  std::vector<PointGroup> groups;
+  for (std::size_t t = first; t < tasks_.size(); ++t) {
+    const std::vector<PointGroup> own = groups_of(*tasks_[t], tasks_[t]->eye);
+    groups.insert(groups.end(), own.begin(), own.end());
+  }
+  if (groups.empty()) return;
+  under_way_.push_back({first, tasks_.size() - first, caster_.cast(gl_, fruits_, groups, lines_)});
+}
+
+/// Waits for what is under way; then looks once more, along more lines, where colours scatter.
+void GlPmvc::settle() {
+  struct Rough {
+    std::size_t task = 0;
+    std::vector<std::size_t> point;
+    std::vector<glm::vec3> eye;
+  };
+  std::vector<Rough> rough;
+  for (const UnderWay& started : under_way_) {
+    const std::vector<Sight> seen = GlRayCaster::read(gl_, started.rays);
+    std::size_t next = 0;
+    for (std::size_t t = started.first; t < started.first + started.count; ++t) {
+      Rough& own = rough.emplace_back(Rough{t, {}, {}});
+      for (std::size_t i = 0; i < tasks_[t]->eye.size(); ++i) {
+        const Sight& sight = seen[next++];
+        sights_[t].push_back(point_sight(*tasks_[t], sight, sampling_.lines));
+        if (sampling_.fine_lines == 0 || static_cast<double>(sight.scatter) <= sampling_.max_scatter) continue;
+        own.point.push_back(i);
+        own.eye.push_back(tasks_[t]->eye[i]);
+      }
     }
   }
-  return values;
+  under_way_.clear();
+
+  std::vector<PointGroup> groups;
+  for (const Rough& own : rough) {
+    const std::vector<PointGroup> more = groups_of(*tasks_[own.task], own.eye);
+    groups.insert(groups.end(), more.begin(), more.end());
+  }
+  if (groups.empty()) return;
+  const GlLines fine = GlRayCaster::lines(gl_, sampling_.fine_lines);
+  const std::vector<Sight> seen = GlRayCaster::read(gl_, caster_.cast(gl_, fruits_, groups, fine));
+  std::size_t next = 0;
+  for (const Rough& own : rough) {
+    for (const std::size_t i : own.point) {
+      sights_[own.task][i] = point_sight(*tasks_[own.task], seen[next++], sampling_.fine_lines);
+    }
+  }
 }
 
 }  // namespace pomona

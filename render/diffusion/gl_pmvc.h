@@ -1,6 +1,9 @@
 // Positive mean values by OpenGL, for many fruits at once.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,16 +19,53 @@ struct LineSampling {
   double max_scatter = 0;  ///< linear; see Sight
 };
 
-/// Points in one of several fruits.
+/// Points in one fruit.
 struct SightTask {
-  std::size_t fruit = 0;
-  std::span<const glm::vec3> points;  ///< metres
+  std::uint64_t fruit = 0;  ///< a number that no other fruit has
+  const RayFrame* frame = nullptr;
+  std::function<std::shared_ptr<const RaySurfaces>()> surfaces;  ///< called if the card does not have them
+  std::vector<glm::vec3> eye;  ///< normalised; neighbours had better follow each other
 };
 
-/// Positive mean values, an entry for every point of every task. They do not depend on what else is asked for.
-/// \throws Error (helper_missing) if a fruit is too large for this OpenGL, or memory does not suffice.
-std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlRayCaster& caster,
-                                            std::span<const RaySurfaces> fruits, std::span<const SightTask> tasks,
-                                            const LineSampling& sampling);
+struct PointSight {
+  PmvcValue value;
+  bool near_surface = false;  ///< see Sight
+};
+
+/// Tasks that the card works on while the next ones are made ready.
+class GlPmvc {
+ public:
+  /// All that this is given must outlive it. \param fruits  those that the card has, to which new ones are added
+  GlPmvc(const CurrentGl& gl, const GlRayCaster& caster, GlFruits& fruits, const LineSampling& sampling);
+
+  /// Starts with some tasks, which must outlive this object.
+  /// \throws Error (helper_missing) if a fruit is too large for this OpenGL, or memory does not suffice.
+  void start(std::span<const SightTask* const> tasks);
+
+  /// An entry for every point of every task, in the order in which they were started. They do not depend on what else
+  /// is asked for.
+  std::vector<std::vector<PointSight>> finish();
+
+ private:
+  /// Tasks that are looked at together.
+  struct UnderWay {
+    std::size_t first = 0;  ///< of the tasks
+    std::size_t count = 0;
+    CastRays rays;
+  };
+
+  void cast(std::size_t first);
+  void settle();
+  std::vector<PointGroup> groups_of(const SightTask& task, std::span<const glm::vec3> eyes) const;
+
+  const CurrentGl& gl_;
+  const GlRayCaster& caster_;
+  GlFruits& fruits_;
+  LineSampling sampling_;
+  GlLines lines_;
+  std::vector<const SightTask*> tasks_;
+  std::vector<std::vector<PointSight>> sights_;
+  std::vector<UnderWay> under_way_;
+};
 
 }  // namespace pomona

@@ -65,7 +65,7 @@ struct GroupRecord {
 /// A sight as the shaders write it.
 struct SightRecord {
   glm::vec4 mean_and_weight{0};
-  glm::vec4 part_and_scatter{0};
+  glm::vec4 rest{0};  ///< heaviest part, scatter, whether a surface is near
 };
 
 }  // namespace
@@ -73,20 +73,21 @@ struct SightRecord {
 /// One pass: some groups with all lines.
 class GlRayCaster::Pass {
  public:
-  Pass(const CurrentGl& gl, const GlRayCaster& caster, std::size_t lines) : gl_(gl), caster_(caster), lines_(lines) {}
+  Pass(const CurrentGl& gl, const GlRayCaster& caster, const GlLines& lines)
+      : gl_(gl), caster_(caster), lines_(lines) {}
 
   std::size_t blocks_in_chunk() const { return std::min(blocks_per_chunk, blocks_from(0)); }
 
-  std::vector<Sight> run(const GlFruits& fruits, std::span<const PointGroup> groups, const GlBuffer& lines) const {
+  /// The buffer into which the card writes what it sees.
+  GlBuffer start(const GlFruits& fruits, std::span<const PointGroup> groups) const {
     // Lay the groups' sums and totals out one behind the other.
     std::vector<GroupRecord> records;
     std::vector<glm::vec4> eyes;
     std::size_t totals = 0;
     for (const PointGroup& group : groups) {
-      const FruitPlace& place = fruits.place[group.fruit];
       records.push_back({static_cast<std::uint32_t>(group.eye.size()), group.parts,
-                         static_cast<std::uint32_t>(totals * blocks_in_chunk()), 0, place.node, place.triangle,
-                         place.vertex, static_cast<std::uint32_t>(totals)});
+                         static_cast<std::uint32_t>(totals * blocks_in_chunk()), 0, group.fruit.node,
+                         group.fruit.triangle, group.fruit.vertex, static_cast<std::uint32_t>(totals)});
       for (const glm::vec3& eye : group.eye) eyes.emplace_back(eye, 1);
       eyes.resize(records.size() * PointGroup::size);
       totals += sums_of(group);
@@ -95,20 +96,23 @@ class GlRayCaster::Pass {
     const GlBuffer points(gl_, GL_SHADER_STORAGE_BUFFER, eyes);
     const GlBuffer places(gl_, GL_SHADER_STORAGE_BUFFER, records);
     const GlBuffer sums = room(totals * blocks_in_chunk() * sizeof(float)), total = room(totals * sizeof(float));
-    const GlBuffer seen = room(eyes.size() * sizeof(SightRecord));
+    GlBuffer seen = room(eyes.size() * sizeof(SightRecord));
     gl_.check("making room for sums");
+    const auto [nodes, triangles, sides, colors] = fruits.buffers();
     for (std::size_t block = 0; blocks_from(block) > 0; block += blocks_in_chunk()) {
-      bind({&fruits.nodes, &fruits.triangles, &fruits.sides, &fruits.colors, &points, &places, &lines, &sums});
+      bind({nodes, triangles, sides, colors, &points, &places, &lines_.axes, &sums});
       cast_rays(block, groups.size());
       bind({&total, &seen});
       add_up(block, groups.size());
     }
-    return read(groups, seen);
+    bind({nodes, triangles, &seen});
+    look_near(groups.size());
+    return seen;
   }
 
  private:
   std::size_t blocks_from(std::size_t first) const {
-    const std::size_t all = (lines_ + lines_per_block - 1) / lines_per_block;
+    const std::size_t all = (lines_.count + lines_per_block - 1) / lines_per_block;
     return first < all ? all - first : 0;
   }
 
@@ -123,7 +127,7 @@ class GlRayCaster::Pass {
   void cast_rays(std::size_t first_block, std::size_t groups) const {
     caster_.rays_.use();
     caster_.rays_.set("first_line", static_cast<unsigned>(first_block * lines_per_block));
-    caster_.rays_.set("line_count", static_cast<unsigned>(lines_));
+    caster_.rays_.set("line_count", static_cast<unsigned>(lines_.count));
     const std::size_t blocks = std::min(blocks_in_chunk(), blocks_from(first_block));
     const std::size_t rays_per_row = groups * PointGroup::size * lines_per_block * 2;
     const std::size_t at_once = std::max<std::size_t>(1, rays_per_dispatch / rays_per_row);
@@ -141,56 +145,72 @@ class GlRayCaster::Pass {
     caster_.sums_.set("blocks", static_cast<unsigned>(std::min(blocks_in_chunk(), blocks_from(first_block))));
     caster_.sums_.set("is_first", first_block == 0 ? 1 : 0);
     gl_->DispatchCompute(static_cast<GLuint>(groups), 1, 1);
-    gl_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     gl_.check("adding up");
   }
 
-  std::vector<Sight> read(std::span<const PointGroup> groups, const GlBuffer& seen) const {
-    std::vector<SightRecord> records(groups.size() * PointGroup::size);
-    gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, seen.id());
-    gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(records.size() * sizeof(SightRecord)),
-                          records.data());
-    gl_.check("reading what was seen");
-
-    std::vector<Sight> sights;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      for (std::size_t i = 0; i < groups[g].eye.size(); ++i) {
-        const SightRecord& record = records[g * PointGroup::size + i];
-        sights.push_back({glm::vec3(record.mean_and_weight), record.mean_and_weight.w,
-                          static_cast<std::uint32_t>(record.part_and_scatter.x), record.part_and_scatter.y});
-      }
-    }
-    return sights;
+  void look_near(std::size_t groups) const {
+    caster_.near_.use();
+    gl_->DispatchCompute(static_cast<GLuint>(groups), 1, 1);
+    gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl_->Flush();
+    gl_.check("looking for surfaces nearby");
   }
 
   const CurrentGl& gl_;
   const GlRayCaster& caster_;
-  std::size_t lines_;
+  const GlLines& lines_;
 };
 
 GlRayCaster::GlRayCaster(const CurrentGl& gl, const GlContext& context, std::size_t max_bytes)
     : rays_(Program::compute(require_compute_shaders(gl, context), "pmvc_rays.comp.glsl")),
       sums_(Program::compute(gl, "pmvc_sums.comp.glsl")),
+      near_(Program::compute(gl, "pmvc_near.comp.glsl")),
       max_bytes_(std::min(storage_limit(gl), max_bytes)) {}
 
-std::vector<Sight> GlRayCaster::along(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
-                                      int line_count) const {
-  if (groups.empty()) return {};
-  const GlBuffer lines(gl, GL_SHADER_STORAGE_BUFFER, shuffled_lines(line_count));
-  const Pass pass(gl, *this, static_cast<std::size_t>(line_count));
+GlLines GlRayCaster::lines(const CurrentGl& gl, int count) {
+  return {static_cast<std::size_t>(count), {gl, GL_SHADER_STORAGE_BUFFER, shuffled_lines(count)}};
+}
+
+CastRays GlRayCaster::cast(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
+                           const GlLines& lines) const {
+  CastRays rays;
+  for (const PointGroup& group : groups) rays.points.push_back(group.eye.size());
+  const Pass pass(gl, *this, lines);
   const std::size_t max_sums = max_bytes_ / sizeof(float) / pass.blocks_in_chunk();
 
   // As many groups at a time as their sums have room.
-  std::vector<Sight> sights;
   for (std::size_t first = 0; first < groups.size();) {
     std::size_t end = first, sums = 0;
     while (end < groups.size() && end - first < max_groups && sums + sums_of(groups[end]) <= max_sums) {
       sums += sums_of(groups[end++]);
     }
     if (end == first) throw Error(ExitStatus::helper_missing, "this OpenGL's storage buffers are too small");
-    const std::vector<Sight> seen = pass.run(fruits, groups.subspan(first, end - first), lines);
-    sights.insert(sights.end(), seen.begin(), seen.end());
+    rays.seen.push_back(pass.start(fruits, groups.subspan(first, end - first)));
+    rays.groups.push_back(end - first);
     first = end;
+  }
+  return rays;
+}
+
+std::vector<Sight> GlRayCaster::read(const CurrentGl& gl, const CastRays& rays) {
+  std::vector<SightRecord> records(rays.points.size() * PointGroup::size);
+  SightRecord* next = records.data();
+  for (std::size_t pass = 0; pass < rays.seen.size(); ++pass) {
+    const std::size_t count = rays.groups[pass] * PointGroup::size;
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, rays.seen[pass].id());
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(SightRecord)), next);
+    next += count;
+  }
+  gl.check("reading what was seen");
+
+  std::vector<Sight> sights;
+  for (std::size_t g = 0; g < rays.points.size(); ++g) {
+    for (std::size_t i = 0; i < rays.points[g]; ++i) {
+      const SightRecord& record = records[g * PointGroup::size + i];
+      sights.push_back({glm::vec3(record.mean_and_weight), record.mean_and_weight.w,
+                        static_cast<std::uint32_t>(record.rest.x), record.rest.y, record.rest.z > 0});
+    }
   }
   return sights;
 }

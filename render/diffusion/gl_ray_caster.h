@@ -14,9 +14,9 @@ namespace pomona {
 struct PointGroup {
   static constexpr std::size_t size = 64;
 
-  std::size_t fruit = 0;       ///< index among the uploaded fruits
-  std::uint32_t parts = 0;     ///< number of parts that the fruit uses
-  std::vector<glm::vec3> eye;  ///< the points, in normalised coordinates
+  FruitPlace fruit;
+  std::uint32_t parts = 0;         ///< number of parts that the fruit uses
+  std::span<const glm::vec3> eye;  ///< the points, normalised
 };
 
 /// The surfaces visible from a point: sums over all lines, in both directions.
@@ -25,6 +25,20 @@ struct Sight {
   float weight = 0;            ///< sum of 1 / d, normalised; 0 if no ray hits anything
   std::uint32_t heaviest = 0;  ///< the used part with the largest share of the weight
   float scatter = 0;           ///< difference between blocks of lines: standard error of the colour's worst channel
+  bool near_surface = false;   ///< within 1e-5 of the surfaces' size, or a little farther
+};
+
+/// Lines to look along, on the card.
+struct GlLines {
+  std::size_t count = 0;
+  GlBuffer axes;
+};
+
+/// Rays that the card has been told to cast.
+struct CastRays {
+  std::vector<std::size_t> points;  ///< of each group
+  std::vector<std::size_t> groups;  ///< of each pass
+  std::vector<GlBuffer> seen;       ///< by each pass
 };
 
 /// The compute shaders, and the size limit of storage buffers. Destroy this object while its context is current.
@@ -36,17 +50,22 @@ class GlRayCaster {
 
   std::size_t max_bytes() const { return max_bytes_; }
 
-  /// One sight for each point, group by group, along `lines` lines. The result of a point depends only on the point,
-  /// its fruit and the number of lines. All work is done when this returns. \throws Error (helper_missing) if memory
-  /// does not suffice.
-  std::vector<Sight> along(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
-                           int lines) const;
+  static GlLines lines(const CurrentGl& gl, int count);
+
+  /// Tells the card to look from the points of all groups, and does not wait. The result of a point depends only on
+  /// the point, its fruit and the lines. \throws Error (helper_missing) if memory does not suffice.
+  CastRays cast(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
+                const GlLines& lines) const;
+
+  /// Waits for one sight for each point, group by group.
+  static std::vector<Sight> read(const CurrentGl& gl, const CastRays& rays);
 
  private:
   class Pass;
 
   Program rays_;
   Program sums_;
+  Program near_;
   std::size_t max_bytes_;
 };
 

@@ -25,6 +25,7 @@ namespace pomona {
   X(PFNGLCLEARBUFFERUIVPROC, ClearBufferuiv)                   \
   X(PFNGLCOLORMASKIPROC, ColorMaski)                           \
   X(PFNGLCOMPILESHADERPROC, CompileShader)                     \
+  X(PFNGLCOPYBUFFERSUBDATAPROC, CopyBufferSubData)             \
   X(PFNGLCREATEPROGRAMPROC, CreateProgram)                     \
   X(PFNGLCREATESHADERPROC, CreateShader)                       \
   X(PFNGLCULLFACEPROC, CullFace)                               \

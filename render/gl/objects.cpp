@@ -23,6 +23,18 @@ GlBuffer::~GlBuffer() {
   if (id_ != 0) gl_.DeleteBuffers(1, &id_);
 }
 
+void GlBuffer::write(std::size_t offset, std::span<const std::byte> bytes) const {
+  gl_.BindBuffer(GL_COPY_WRITE_BUFFER, id_);
+  gl_.BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
+                    bytes.data());
+}
+
+void GlBuffer::copy(const GlBuffer& from, std::size_t bytes) const {
+  gl_.BindBuffer(GL_COPY_READ_BUFFER, from.id_);
+  gl_.BindBuffer(GL_COPY_WRITE_BUFFER, id_);
+  gl_.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
+}
+
 namespace {
 
 struct PixelLayout {

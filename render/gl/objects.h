@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// A buffer object with data that does not change.
+/// A buffer object of a size that does not change.
 class GlBuffer {
  public:
   GlBuffer(const CurrentGl& gl, GLenum target, const void* data, std::size_t bytes);
@@ -21,6 +21,11 @@ class GlBuffer {
   GlBuffer& operator=(const GlBuffer&) = delete;
   ~GlBuffer();
   GLuint id() const { return id_; }
+
+  /// Puts bytes at this offset.
+  void write(std::size_t offset, std::span<const std::byte> bytes) const;
+  /// Copies the first bytes of another buffer.
+  void copy(const GlBuffer& from, std::size_t bytes) const;
 
  private:
   const GlFunctions& gl_;

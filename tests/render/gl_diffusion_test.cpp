@@ -8,6 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/diffusion/resolved_colors.h"
 #include "render/diffusion/gl_diffuser.h"
 #include "render/diffusion/gl_pmvc.h"
 #include "tests/diffusion/fields.h"
@@ -238,29 +239,85 @@ TEST(GlDiffuser, EveryRouteGivesTheSameColours) {
   }
 }
 
-TEST(GlDiffuser, SmallBuffersChangeNothing) {
-  const DiffusionSurfaces fruit = shapes::seeded_fruit(), ball = shell(20);
-  std::vector<RaySurfaces> fruits;
-  for (const DiffusionSurfaces* surfaces : {&fruit, &ball}) {
-    fruits.push_back(ray_surfaces(*surfaces, make_surface_tree(*surfaces)));
-  }
-  const std::vector<glm::vec3> many = shapes::points_on_section_of_seeded_fruit(300), few{{0.1f, 0.5f, 0}};
-  const std::vector<SightTask> tasks{{0, many}, {1, few}};
+/// Two fruits as the card gets them, and points in them.
+struct TwoFruits {
+  DiffusionSurfaces surfaces[2] = {shapes::seeded_fruit(), shell(20)};
+  RayFrame frame[2];
+  std::shared_ptr<const RaySurfaces> rays[2];
+  SightTask task[2];
 
+  TwoFruits() {
+    const std::vector<glm::vec3> points[2] = {shapes::points_on_section_of_seeded_fruit(300), {{0.1f, 0.5f, 0}}};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SurfaceTree tree = make_surface_tree(surfaces[i]);
+      frame[i] = ray_frame(surfaces[i], tree);
+      rays[i] = std::make_shared<const RaySurfaces>(ray_surfaces(surfaces[i], tree, frame[i]));
+      task[i] = {i, &frame[i], [same = rays[i]] { return same; }, {}};
+      for (const glm::vec3& point : points[i]) task[i].eye.push_back(frame[i].normalized(point));
+    }
+  }
+};
+
+TEST(GlPmvc, SmallBuffersChangeNothing) {
+  const TwoFruits fruits;
   GlContext context;
   const CurrentGl gl(context);
   const auto values = [&](std::size_t max_bytes) {
     const GlRayCaster caster(gl, context, max_bytes);
+    GlFruits on_card(max_bytes);
+    GlPmvc pmvc(gl, caster, on_card, {.lines = 32, .fine_lines = 64, .max_scatter = 1.0 / 255});
+    pmvc.start(std::vector<const SightTask*>{&fruits.task[0], &fruits.task[1]});
+    EXPECT_EQ(on_card.place(0).has_value(), max_bytes > std::size_t{1} << 22) << "room for both";
     std::vector<glm::dvec3> colors;
-    for (const auto& task : gl_pmvc(gl, caster, fruits, tasks, {.lines = 32})) {
-      for (const PmvcValue& value : task) colors.push_back(value.color);
+    for (const auto& task : pmvc.finish()) {
+      for (const PointSight& sight : task) colors.push_back(sight.value.color);
     }
     return colors;
   };
-  const std::size_t just_one = fruits[0].triangle.size() * sizeof(RayTriangle);
-  EXPECT_THAT(runs_that_fit(fruits, just_one), testing::ElementsAre(0, 1, 2));
+  const std::size_t just_one = fruits.rays[0]->triangle.size() * sizeof(RayTriangle);
   EXPECT_EQ(values(just_one), values(std::size_t{1} << 27));
   EXPECT_THROW(values(just_one - 1), Error);
+}
+
+TEST(GlPmvc, KnowsPointsThatMayLieOnASurface) {
+  const TwoFruits fruits;
+  const SurfaceTree tree = make_surface_tree(fruits.surfaces[0]);
+  std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(300);
+  const std::size_t inside = points.size();
+  for (std::size_t t = 0; t < fruits.surfaces[0].triangle_count(); t += 50) {
+    const auto [a, b, c] = corners(fruits.surfaces[0], static_cast<std::uint32_t>(t));
+    points.emplace_back(0.5 * a + 0.3 * b + 0.2 * c);
+  }
+  SightTask task = fruits.task[0];
+  task.eye.clear();
+  for (const glm::vec3& point : points) task.eye.push_back(fruits.frame[0].normalized(point));
+
+  GlContext context;
+  const CurrentGl gl(context);
+  const GlRayCaster caster(gl, context);
+  GlFruits on_card(caster.max_bytes());
+  GlPmvc pmvc(gl, caster, on_card, {.lines = 8});
+  pmvc.start(std::vector<const SightTask*>{&task});
+  const std::vector<PointSight> seen = pmvc.finish().front();
+  const SidesOfPoints sides = sides_on_surfaces(fruits.surfaces[0], tree, points, {});
+  std::size_t suspected = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_TRUE(seen[i].near_surface || !sides[i]) << i;
+    suspected += i < inside && seen[i].near_surface ? 1 : 0;
+  }
+  EXPECT_LT(suspected, inside / 20) << "hardly any is asked again";
+}
+
+TEST(GlDiffuser, KeepsFruitsByValueNotByPlace) {
+  DiffusionSurfaces ball = shell(6);
+  const std::vector<glm::vec3> points{{0.1f, 0.5f, 0}, {0.2f, -0.4f, 0.3f}};
+  const std::vector<Color> first = colors_at(Quality::draft, ball, points);
+  EXPECT_EQ(colors_at(Quality::draft, DiffusionSurfaces(ball), points), first) << "a copy";
+  std::swap(ball.front_color, ball.back_color);
+  for (Color& color : ball.front_color) color *= 0.5f;
+  const std::vector<Color> changed = colors_at(Quality::draft, ball, points);
+  EXPECT_NE(changed, first);
+  EXPECT_EQ(changed, make_gl_diffuser({.quality = Quality::draft})->diffuse(ball, points).color);
 }
 
 /// The status of the error that diffusing throws.
@@ -299,7 +356,7 @@ TEST(Shaders, ThoseThatComputeCompile) {
     EXPECT_NO_THROW(Program::compute(gl, name)) << name;
     ++compiled;
   }
-  EXPECT_EQ(compiled, 2);
+  EXPECT_EQ(compiled, 3);
 }
 
 TEST(GlContext, KnowsSoftwareByItsName) {
