@@ -177,9 +177,9 @@ ExitStatus check(const CheckCommand& command) {
         diagnostic.message = warning;
         found.push_back(as_json(diagnostic, "warning"));
         if (!command.json && !command.quiet)
-          std::fprintf(stderr, "%s\n", printable(file.string() + ": warning: " + warning).c_str());
+          std::fprintf(stderr, "%s\n", printable_line(file.string() + ": warning: " + warning).c_str());
       }
-      if (!command.json && !command.quiet) std::printf("%s: ok\n", printable(name).c_str());
+      if (!command.json && !command.quiet) std::printf("%s: ok\n", printable_line(name).c_str());
     } catch (const Error& error) {
       // Missing files weigh less than bad ones: a bad one can be mended from here.
       if (status != ExitStatus::bad_data) status = error.status();

@@ -75,7 +75,7 @@ void say(const CompareCommand& command, const Comparison& found) {
     return;
   }
   if (command.quiet) return;
-  for (const std::string& reason : found.reasons) std::fprintf(stderr, "%s\n", printable(reason).c_str());
+  for (const std::string& reason : found.reasons) std::fprintf(stderr, "%s\n", printable_line(reason).c_str());
   if (pixels > 0) {
     std::printf("%s: mean FLIP %.6f, largest difference %d of 255, %zu of %zu pixels differ\n",
                 found.same ? "same" : "different", found.flip, found.largest, found.different, pixels);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "cli/options/find_template.h"
 #include "cli/options/program_folders.h"
 #include "generator/base/json_text.h"
+#include "generator/base/printable.h"
 #include "generator/batch/batch_file.h"
 #include "generator/scene/scene_file.h"
 #include "generator/template/read/read_template.h"
@@ -32,11 +34,18 @@ std::string joined_names(const std::vector<std::string>& names) {
   return text;
 }
 
+/// A line with tabs between its cells.
+void print_row(const std::vector<std::string>& cells) {
+  std::string row;
+  for (const std::string& cell : cells) row += (row.empty() ? "" : "\t") + printable_line(cell);
+  std::printf("%s\n", row.c_str());
+}
+
 ExitStatus list_styles(bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Style& style : all_known_styles()) {
     all.push_back({{"name", style.name}, {"title", style.title}});
-    if (!json) std::printf("%s\t%s\n", style.name.c_str(), style.title.c_str());
+    if (!json) print_row({style.name, style.title});
   }
   if (json) std::printf("%s\n", json_text(all, 2).c_str());
   return ExitStatus::done;
@@ -49,7 +58,7 @@ ExitStatus list_scenes(bool json) {
     const SceneDescription scene = read_scene(file);
     const std::string name = file.stem().string();
     all.push_back({{"name", name}, {"title", scene.title}});
-    if (!json) std::printf("%s\t%s\n", name.c_str(), scene.title.c_str());
+    if (!json) print_row({name, scene.title});
   }
   if (json) std::printf("%s\n", json_text(all, 2).c_str());
   return ExitStatus::done;
@@ -62,7 +71,7 @@ ExitStatus list_batches(bool json) {
     const BatchDescription batch = read_batch(file);
     const std::string name = file.stem().string();
     all.push_back({{"name", name}, {"title", batch.title}});
-    if (!json) std::printf("%s\t%s\n", name.c_str(), batch.title.c_str());
+    if (!json) print_row({name, batch.title});
   }
   if (json) std::printf("%s\n", json_text(all, 2).c_str());
   return ExitStatus::done;
@@ -78,8 +87,7 @@ ExitStatus list_templates(bool json) {
       const Template fruit = read_template(file);
       const std::string name = file.stem().string();
       all.push_back({{"name", name}, {"title", fruit.title}, {"symmetry", symmetry_of(fruit)}, {"parts", fruit.parts}});
-      if (!json)
-        std::printf("%s\t%s\t%s\n", name.c_str(), symmetry_of(fruit).c_str(), joined_names(fruit.parts).c_str());
+      if (!json) print_row({name, symmetry_of(fruit), joined_names(fruit.parts)});
     } catch (const Error& error) {
       wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
     }

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct BatchCommand {
   std::string batch, output, shard, memory;
-  bool resume = false, quiet = false, json = false;
+  bool resume = false, verify = false, quiet = false, json = false;
   int threads = 0;
 };
 
@@ -71,8 +71,10 @@ ExitStatus finish(const RunReport& report, const BatchCommand& command, Workplac
 
 ExitStatus make_batch(const BatchCommand& command) {
   // Everything that can be wrong with the words and the file is told before anything is written.
-  const RunOptions options{
-      .shard = parse_shard(command.shard), .threads = {command.threads}, .memory = parse_memory(command.memory)};
+  const RunOptions options{.shard = parse_shard(command.shard),
+                           .threads = {command.threads},
+                           .memory = parse_memory(command.memory),
+                           .check = command.verify ? FileCheck::hashes : FileCheck::lengths};
   const BatchPlan plan = wanted_batch(find_file("scenes", command.batch, "batch"));
   const std::vector<Style> styles = styles_of(plan);
   const std::string record = record_of(plan);
@@ -102,7 +104,11 @@ DeclaredCommand batch_command(CLI::App& app) {
       ->required();
 
   // Which of them, and how many at once.
-  command->add_flag("--resume", options->resume, "Keep what is there, and make what is missing");
+  CLI::Option* resume = command->add_flag("--resume", options->resume, "Keep what is there, and make what is missing");
+  command
+      ->add_flag("--verify", options->verify,
+                 "With --resume: read what is there, and make anew what is not as it was written")
+      ->needs(resume);
   command->add_option("--shard", options->shard, "Make share I of N, from 1; `pomona merge` joins them")
       ->type_name("I/N");
   command->add_option("--memory", options->memory, "What items under way may take together (2GB); no limit unless said")

@@ -3,31 +3,18 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/json_text.h"
+#include "generator/base/marked_text.h"
 #include "generator/base/xml_text.h"
 
 namespace pomona {
 
-namespace {
-
-/// `text` with each `mark` in it replaced.
-std::string with(std::string text, const std::string& mark, const std::string& replacement) {
-  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + replacement.size()))
-    text.replace(at, mark.size(), replacement);
-  return text;
-}
-
-}  // namespace
-
 ContactSheet::ContactSheet(const RecordedBatch& batch) {
-  // The title last: what stands in it is no mark of ours.
-  const std::string_view script = contact_sheet_files().back().text;
-  const std::string page = with(std::string(contact_sheet_files().front().text), "@SCRIPT@", std::string(script));
-  const std::string mark = "@ITEMS@";
+  const std::string_view page = contact_sheet_files().front().text, mark = "@ITEMS@";
   const std::size_t at = page.find(mark);
   const std::string about =
       json_in_script(nlohmann::ordered_json({{"name", batch.name}, {"program", batch.program}, {"seed", batch.seed}}));
-  before_ = with(with(page.substr(0, at), "@BATCH@", about), "@TITLE@", xml_escaped(batch.title));
-  after_ = page.substr(at + mark.size());
+  before_ = filled(page.substr(0, at), {{"@BATCH@", about}, {"@TITLE@", xml_escaped(batch.title)}});
+  after_ = filled(page.substr(at + mark.size()), {{"@SCRIPT@", std::string(contact_sheet_files().back().text)}});
 }
 
 std::string ContactSheet::row(const RecordedItem& item) {

@@ -5,12 +5,14 @@
 #include <iterator>
 
 #include "generator/base/error.h"
+#include "generator/base/file_bytes.h"
+#include "generator/base/sha256.h"
 
 namespace fs = std::filesystem;
 
 namespace pomona {
 
-std::optional<FinishedItem> finished_item(const fs::path& folder, const std::string& item) {
+std::optional<FinishedItem> finished_item(const fs::path& folder, const std::string& item, FileCheck check) {
   const fs::path file = folder / item / "item.json";
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {};
@@ -25,8 +27,10 @@ std::optional<FinishedItem> finished_item(const fs::path& folder, const std::str
   if (found.facts.item != item || !is_one_line) return {};
 
   for (const RecordedFile& listed : found.facts.files) {
+    const fs::path place = folder / item / listed.name;
     std::error_code failed;
-    if (fs::file_size(folder / item / listed.name, failed) != listed.bytes || failed) return {};
+    if (fs::file_size(place, failed) != listed.bytes || failed) return {};
+    if (check == FileCheck::hashes && sha256(file_bytes(place, listed.bytes)) != listed.sha256) return {};
   }
   return found;
 }

@@ -14,8 +14,11 @@ struct FinishedItem {
   RecordedItem facts;
 };
 
+enum class FileCheck { lengths, hashes };
+
 /// Nothing if the item is not there, or not whole: its record must name it, and every file must have the size that the
-/// record says.
-std::optional<FinishedItem> finished_item(const std::filesystem::path& folder, const std::string& item);
+/// record says, and where hashes are asked for, the SHA-256.
+std::optional<FinishedItem> finished_item(const std::filesystem::path& folder, const std::string& item,
+                                          FileCheck check = FileCheck::lengths);
 
 }  // namespace pomona

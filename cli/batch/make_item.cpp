@@ -96,7 +96,6 @@ OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, co
 
 std::string reason_of(const std::exception& error) {
   if (const auto* told = dynamic_cast<const Error*>(&error)) return told->diagnostics().front().message;
-  if (const auto lack = exhausted(error)) return *lack;
   return std::string("this is a bug in pomona: ") + error.what();
 }
 
@@ -123,6 +122,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Order
                  .error = {}};
     }
   } catch (const std::exception& error) {
+    if (exhausted(error)) throw;
     made.error = reason_of(error);
   }
 

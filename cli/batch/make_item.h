@@ -22,6 +22,7 @@ struct MadeItem {
 OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, const BatchVariant& which);
 
 /// \param grown none where growing failed, `growing_error` says how.
+/// \throws what says that memory or threads ran out (exhausted.h): another time there may be enough.
 MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const OrderedFruit* grown,
                    const std::string& growing_error, const BatchItem& item, const Style& style);
 

@@ -5,12 +5,15 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "cli/batch/finished_item.h"
 #include "cli/batch/make_item.h"
 #include "cli/batch/memory_budget.h"
 #include "cli/deliver/ending_signals.h"
+#include "cli/exhausted.h"
 #include "generator/base/error.h"
 #include "generator/base/stop_watch.h"
 
@@ -58,6 +61,7 @@ class ReadyTemplates {
       try {
         ready_[fruit].variation.emplace(plan_.templates[fruit].fruit);
       } catch (const std::exception& error) {
+        if (exhausted(error)) throw;  // the next one tries again
         ready_[fruit].error = reason_of(error);
       }
     });
@@ -78,6 +82,7 @@ class Run {
         styles_(styles),
         workplace_(workplace),
         progress_(progress),
+        check_(options.check),
         budget_(options.memory),
         ready_(plan) {
     const VariantsOfShard variants(plan, options.shard);
@@ -92,6 +97,9 @@ class Run {
     signals_.forget();  // what they ask for is done: no further item was begun
     if (interrupted_)
       throw Error(ExitStatus::locked, "interrupted, with " + progress_text(tally_), "--resume goes on from here");
+    if (left_ > 0)
+      throw Error(ExitStatus::out_of_memory, lack_ + ": " + std::to_string(left_) + " items are not made",
+                  "--resume makes them; fewer --threads, or --memory, needs less at once");
     tally_.seconds = watch_.milliseconds() * 1e-3;
     std::sort(failed_.begin(), failed_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     RunReport report{tally_, {}};
@@ -121,7 +129,7 @@ class Run {
   std::vector<BatchItem> without_finished(const BatchVariant& which, const std::vector<BatchItem>& items) {
     std::vector<BatchItem> missing;
     for (const BatchItem& item : items) {
-      const auto found = finished_item(workplace_.folder(), path_of(plan_, which, item));
+      const auto found = finished_item(workplace_.folder(), path_of(plan_, which, item), check_);
       if (!found || !found->facts.error.empty()) missing.push_back(item);
     }
     const std::lock_guard lock(mutex_);
@@ -131,19 +139,46 @@ class Run {
 
   void make_items(std::int64_t number, const BatchVariant& which, const std::vector<BatchItem>& items) {
     const MemoryBudget::Loan memory(budget_, memory_of_an_item(plan_.entries[which.entry]));
-    const ReadyTemplates::Ready& ready = ready_.of(which.fruit);
-    std::optional<OrderedFruit> grown;
-    std::string error = ready.error;
+    std::size_t done = 0;
     try {
-      if (ready.variation) grown = grown_variant(plan_, *ready.variation, which);
+      const GrownOrNot fruit = grown(which);
+      for (; done < items.size(); ++done) {
+        const MadeItem made = make_item(plan_, which, fruit.grown ? &*fruit.grown : nullptr, fruit.error, items[done],
+                                        styles_[which.entry]);
+        workplace_.put_item(made.item, made.files);
+        note(number, items[done], made);
+      }
     } catch (const std::exception& failure) {
-      error = reason_of(failure);
+      const std::optional<std::string> lack = exhausted(failure);
+      if (!lack) throw;
+      note_lack(which, std::span(items).subspan(done), *lack);
     }
-    for (const BatchItem& item : items) {
-      const MadeItem made = make_item(plan_, which, grown ? &*grown : nullptr, error, item, styles_[which.entry]);
-      workplace_.put_item(made.item, made.files);
-      note(number, item, made);
+  }
+
+  struct GrownOrNot {
+    std::optional<OrderedFruit> grown;
+    std::string error;
+  };
+
+  GrownOrNot grown(const BatchVariant& which) {
+    const ReadyTemplates::Ready& ready = ready_.of(which.fruit);
+    if (!ready.variation) return {{}, ready.error};
+    try {
+      return {grown_variant(plan_, *ready.variation, which), {}};
+    } catch (const std::exception& failure) {
+      if (exhausted(failure)) throw;
+      return {{}, reason_of(failure)};
     }
+  }
+
+  /// What memory or threads did not suffice for is no item that failed: it stays missing, and the next run tries it.
+  void note_lack(const BatchVariant& which, std::span<const BatchItem> items, const std::string& lack) {
+    {
+      const std::lock_guard lock(mutex_);
+      left_ += items.size();
+      lack_ = lack;
+    }
+    for (const BatchItem& item : items) progress_.error(path_of(plan_, which, item) + ": error: " + lack);
   }
 
   void note(std::int64_t variant, const BatchItem& item, const MadeItem& made) {
@@ -175,6 +210,7 @@ class Run {
   Workplace& workplace_;
   Progress& progress_;
   HeldSignals signals_;
+  FileCheck check_;
   MemoryBudget budget_;
   ReadyTemplates ready_;
   StopWatch watch_;
@@ -182,6 +218,8 @@ class Run {
 
   std::mutex mutex_;
   Tally tally_;
+  std::size_t left_ = 0;  // items that are missing for lack of memory or threads
+  std::string lack_;
   std::vector<std::pair<std::pair<std::int64_t, std::int64_t>, FailedItem>> failed_;
 };
 

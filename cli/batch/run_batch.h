@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/batch/finished_item.h"
 #include "cli/batch/tally.h"
 #include "cli/batch/workplace.h"
 #include "cli/deliver/progress.h"
@@ -16,7 +17,8 @@ namespace pomona {
 struct RunOptions {
   Shard shard;
   Threads threads;
-  std::uint64_t memory = 0;  ///< bytes that items under way may take together; 0 = no limit
+  std::uint64_t memory = 0;              ///< bytes that items under way may take together; 0 = no limit
+  FileCheck check = FileCheck::lengths;  ///< of items that are there already
 };
 
 struct FailedItem {
@@ -30,7 +32,8 @@ struct RunReport {
 
 /// Makes what is not there yet. Items that fail are noted, and leave a record; SIGINT, SIGTERM and SIGHUP end the run
 /// after the items under way.
-/// \throws Error (cannot_create, io_error) if something cannot be written, (locked) if it was ended by a signal. What
+/// \throws Error (cannot_create, io_error) if something cannot be written, (locked) if it was ended by a signal,
+/// (out_of_memory) if memory or threads did not suffice for items, which then are missing. What
 /// is whole by then stays.
 RunReport run_batch(const BatchPlan& plan, const std::vector<Style>& styles, Workplace& workplace,
                     const RunOptions& options, Progress& progress);

@@ -4,7 +4,8 @@
 namespace pomona {
 
 /// From now on these signals end the program at once, whichever thread they reach, except while HeldSignals lives.
-/// A signal that is ignored (nohup) stays ignored. Called once, before there are threads.
+/// A signal that is ignored (nohup) stays ignored. SIGXFSZ ends
+/// nothing any more. Called once, before there are threads.
 void heed_ending_signals();
 
 /// Holds them back, in all threads. One that has come in the meantime ends the program when the last of these goes.

@@ -94,7 +94,7 @@ void Progress::line(const std::string& text) {
 void Progress::error(const std::string& text) {
   const std::lock_guard lock(mutex_);
   clear_bar();
-  std::fprintf(stderr, "%s\n", printable(text).c_str());
+  std::fprintf(stderr, "%s\n", printable_line(text).c_str());
 }
 
 }  // namespace pomona

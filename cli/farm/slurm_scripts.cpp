@@ -21,9 +21,11 @@ std::string with_retries(const std::string& command, int retries) {
          command +
          "\n"
          "  status=$?\n"
-         "  # 74: something could not be read or written. 75: another run has the lock, or a signal asked for an end.\n"
+         "  # 71: memory or threads did not suffice. 74: something could not be read or written. 75: another run has "
+         "the lock, or a signal asked for an end.\n"
          "  # Above 128: killed. Whatever else it is, it would be the same again.\n"
-         "  [ \"$status\" -eq 74 ] || [ \"$status\" -eq 75 ] || [ \"$status\" -gt 128 ] || exit \"$status\"\n"
+         "  [ \"$status\" -eq 71 ] || [ \"$status\" -eq 74 ] || [ \"$status\" -eq 75 ] || [ \"$status\" -gt 128 ] || "
+         "exit \"$status\"\n"
          "  [ \"$attempt\" -lt " +
          max +
          " ] || exit \"$status\"\n"

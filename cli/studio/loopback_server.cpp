@@ -1,9 +1,11 @@
 #include "cli/studio/loopback_server.h"
 
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -11,6 +13,8 @@
 
 #include <httplib.h>
 
+#include "cli/studio/connection.h"
+#include "cli/studio/waiting_heads.h"
 #include "generator/base/error.h"
 #include "generator/base/parallel.h"
 #include "generator/base/stop_watch.h"
@@ -20,7 +24,7 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t longest_path = 100;
-constexpr int max_connections = 32;  // at a time: each has a thread while it lasts
+constexpr int max_requests = 32;  // at a time: each has a thread while it is answered
 
 /// Looks at all letters, however many are right.
 bool is_token(std::string_view given, std::string_view token) {
@@ -36,14 +40,76 @@ WebReply refused(int status, const std::string& message, const std::string& hint
           "{\"errors\":[{\"message\":" + quoted(message) + ",\"hint\":" + quoted(hint) + "}]}"};
 }
 
+/// A connection as the library reads it.
+class ConnectionStream final : public httplib::Stream {
+ public:
+  explicit ConnectionStream(Connection& connection) : connection_(connection) {}
+  bool is_readable() const override { return connection_.is_readable(); }
+  bool is_writable() const override { return connection_.is_writable(); }
+  ssize_t read(char* bytes, std::size_t size) override { return connection_.read(bytes, size); }
+  ssize_t write(const char* bytes, std::size_t size) override { return connection_.write(bytes, size); }
+  void get_remote_ip_and_port(std::string& ip, int& port) const override { ip = "127.0.0.1", port = 0; }
+  void get_local_ip_and_port(std::string& ip, int& port) const override { ip = "127.0.0.1", port = 0; }
+  socket_t socket() const override { return connection_.number(); }
+
+ private:
+  Connection& connection_;
+};
+
+/// What the library accepts it hands over at once.
+class AtOnce final : public httplib::TaskQueue {
+ public:
+  void enqueue(std::function<void()> task) override { task(); }
+  void shutdown() override {}
+};
+
+/// Connections wait for their heads without a thread; those whose head is there are answered side by side.
+class HeadsFirst final : public httplib::Server {
+ public:
+  explicit HeadsFirst(std::chrono::seconds idle) : idle_(idle) {}
+
+  void serve() {
+    // Where the system gives few threads, the library would wait for ever for others: one listens, one reads heads.
+    httplib::ThreadPool answering(static_cast<std::size_t>(std::max(1, threads_given(max_requests) - 2)));
+    {
+      WaitingHeads heads({}, [&](Descriptor socket, std::string head) {
+        auto connection =
+            std::make_shared<Connection>(std::move(socket), std::move(head), ConnectionTimes{.idle = idle_});
+        answering.enqueue([this, connection] {
+          ConnectionStream stream(*connection);
+          bool closed = false;
+          process_request(stream, true, closed, nullptr);
+        });
+      });
+      heads_ = &heads;
+      ::listen(svr_sock_, SOMAXCONN);  // the library lets five wait to be accepted
+      new_task_queue = [] { return new AtOnce; };
+      listen_after_bind();
+    }
+    answering.shutdown();
+  }
+
+ private:
+  bool process_and_close_socket(socket_t socket) override {
+    heads_->add(Descriptor(socket));
+    return true;
+  }
+
+  std::chrono::seconds idle_;
+  WaitingHeads* heads_ = nullptr;
+};
+
 }  // namespace
 
 struct LoopbackServer::Listener {
   LoopbackOptions options;
   std::function<WebReply(const WebRequest&)> handler;
-  httplib::Server server;
+  HeadsFirst server;
   int port = -1;
   std::string host;
+
+  Listener(LoopbackOptions wanted, std::function<WebReply(const WebRequest&)> answers)
+      : options(std::move(wanted)), handler(std::move(answers)), server(std::chrono::seconds(options.idle_seconds)) {}
 
   /// Why a request is not even read to its end; nothing if it may be.
   std::optional<WebReply> fault_of(const httplib::Request& request) const {
@@ -98,12 +164,7 @@ struct LoopbackServer::Listener {
 
   void set_up() {
     using Answer = httplib::Server::HandlerResponse;
-    // The library waits for ever where it cannot have one of them.
-    server.new_task_queue = [] { return new httplib::ThreadPool(std::max(1, threads_given(max_connections) - 1)); };
     // One request a connection: what is refused leaves nothing behind that could pass for the next request.
-    server.set_keep_alive_max_count(1);
-    server.set_read_timeout(options.idle_seconds);
-    server.set_write_timeout(options.idle_seconds);
     server.set_payload_max_length(options.max_body_bytes);
     server.set_tcp_nodelay(true);
     server.set_default_headers({{"Content-Security-Policy", options.page_policy},
@@ -128,9 +189,7 @@ struct LoopbackServer::Listener {
 };
 
 LoopbackServer::LoopbackServer(LoopbackOptions options, std::function<WebReply(const WebRequest&)> handler)
-    : listener_(std::make_unique<Listener>()) {
-  listener_->options = std::move(options);
-  listener_->handler = std::move(handler);
+    : listener_(std::make_unique<Listener>(std::move(options), std::move(handler))) {
   listener_->set_up();
   listener_->port = listener_->server.bind_to_any_port("127.0.0.1");
   if (listener_->port <= 0) throw Error(ExitStatus::cannot_create, "there is no free port on 127.0.0.1");
@@ -141,7 +200,7 @@ LoopbackServer::~LoopbackServer() = default;
 
 int LoopbackServer::port() const { return listener_->port; }
 
-void LoopbackServer::serve() { listener_->server.listen_after_bind(); }
+void LoopbackServer::serve() { listener_->server.serve(); }
 
 void LoopbackServer::stop() { listener_->server.stop(); }
 

@@ -27,12 +27,13 @@ struct LoopbackOptions {
   std::string page_policy = "default-src 'none'";  ///< Content-Security-Policy of every reply
   std::size_t max_body_bytes = std::size_t{32} << 20;
   int max_body_seconds = 20;  ///< for a body to arrive
-  int idle_seconds = 5;       ///< a connection on which nothing arrives is closed
+  int idle_seconds = 5;       ///< a connection on which nothing arrives, or goes out, is closed
 };
 
 /// Answers on a free port of 127.0.0.1 and nowhere else. What lacks the token, names another host, comes from another
 /// origin, is no GET or POST of JSON, has a body beyond the limits, or none of a known length, is refused before the
-/// handler sees it, in words; so are paths longer than a hundred letters. Requests are handled side by side.
+/// handler sees it, in words; so are paths longer than a hundred letters. Requests are handled side by side, once
+/// their heads have arrived (waiting_heads.h); what takes longer than its time is closed.
 class LoopbackServer {
  public:
   /// \throws Error (cannot_create) if there is no free port.

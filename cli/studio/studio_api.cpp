@@ -1,10 +1,12 @@
 #include "cli/studio/studio_api.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <regex>
 #include <system_error>
 #include <utility>
@@ -12,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exhausted.h"
+#include "cli/studio/flat_json.h"
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
 #include "generator/base/little_endian.h"
@@ -28,6 +31,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::uintmax_t max_picture_bytes = std::uintmax_t{64} << 20;
+constexpr int max_at_work = 12;  // a browser asks for six at a time
 constexpr std::string_view binary = "application/octet-stream";
 
 WebReply json_reply(int status, const ordered_json& body) { return {status, "application/json", json_text(body)}; }
@@ -64,8 +68,8 @@ ordered_json error_of(const Diagnostic& diagnostic, const fs::path& file) {
 }
 
 json parsed(const std::string& body) {
-  json wanted = json::parse(body, nullptr, false);
-  if (!wanted.is_object()) throw Error(ExitStatus::usage, "that is no JSON object");
+  json wanted = parse_flat_json(body);
+  if (!wanted.is_object()) throw Error(ExitStatus::usage, "that is no JSON object of texts and numbers");
   return wanted;
 }
 
@@ -169,10 +173,19 @@ WebReply StudioApi::routed(const WebRequest& request) {
     if (path == "/api/change") return change(request.body);
     if (path == "/api/save") return save(request.body);
     if (path == "/api/revert") return revert(request.body);
-    if (path == "/api/section") return section(request.body);
-    if (path == "/api/asset") return asset(request.body);
+    if (path == "/api/section" || path == "/api/asset") return made(request);
   }
   return error_reply(404, "there is nothing at this path");
+}
+
+/// What takes long never takes all threads: edits are kept and saved meanwhile.
+WebReply StudioApi::made(const WebRequest& request) {
+  if (++at_work_ > max_at_work) {
+    --at_work_;
+    return error_reply(503, "the studio is at work on other fruits", "ask again when these are there");
+  }
+  const std::unique_ptr<std::atomic<int>, void (*)(std::atomic<int>*)> done(&at_work_, [](auto* count) { --*count; });
+  return request.path == "/api/asset" ? asset(request.body) : section(request.body);
 }
 
 WebReply StudioApi::document(bool with_texts) {

@@ -1,6 +1,7 @@
 // What the studio's page asks, and what it is answered: docs/guides/studio.md has the list.
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include "cli/studio/loopback_server.h"
@@ -23,6 +24,7 @@ class StudioApi {
   WebReply change(const std::string& body);
   WebReply save(const std::string& body);
   WebReply revert(const std::string& body);
+  WebReply made(const WebRequest& request);
   WebReply section(const std::string& body);
   WebReply asset(const std::string& body);
   WebReply picture(const std::string& href) const;
@@ -30,6 +32,7 @@ class StudioApi {
   Workspace& workspace_;
   StudioFruits fruits_;
   std::string page_;
+  std::atomic<int> at_work_ = 0;  ///< requests that grow a fruit
 };
 
 }  // namespace pomona

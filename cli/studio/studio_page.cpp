@@ -1,13 +1,11 @@
 #include "cli/studio/studio_page.h"
 
-#include <algorithm>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "cli/options/find_style.h"
 #include "cli/studio/studio_files.h"
 #include "generator/base/error.h"
+#include "generator/base/marked_text.h"
 #include "generator/base/xml_text.h"
 #include "render/page/page.h"
 
@@ -22,20 +20,11 @@ std::string studio_text(std::string_view name) {
   throw Error(ExitStatus::bug, "the studio has no file " + std::string(name));
 }
 
-/// `page` with each mark, "@NAME@", replaced. No text holds a mark that comes after its own.
-std::string marked(std::string page, const std::vector<std::pair<std::string, std::string>>& marks) {
-  for (const auto& [mark, text] : marks) {
-    for (std::size_t at = page.find(mark); at != std::string::npos; at = page.find(mark, at + text.size()))
-      page.replace(at, mark.size(), text);
-  }
-  return page;
-}
-
 }  // namespace
 
 StudioPage studio_page(const std::string& title, const std::string& token, const std::string& nonce) {
   return {
-      marked(studio_text("studio.html"),
+      filled(studio_text("studio.html"),
              {{"@NONCE@", nonce},
               {"@TITLE@", xml_escaped(title)},
               {"@TOKEN@", token},

@@ -10,17 +10,17 @@ std::string to_string(const Diagnostic& diagnostic) {
   std::string text;
   const SourcePlace& place = diagnostic.place;
   if (!place.file.empty()) {
-    text += place.file;
+    text += printable_line(place.file);
     if (!place.element.empty()) {
-      text += ":" + place.element;
+      text += ":" + printable_line(place.element);
     } else if (place.line > 0) {
       text += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
     }
     text += ": ";
   }
-  text += "error: " + diagnostic.message;
-  if (!diagnostic.hint.empty()) text += "\n  hint: " + diagnostic.hint;
-  return printable(text);
+  text += "error: " + printable_line(diagnostic.message);
+  if (!diagnostic.hint.empty()) text += "\n  hint: " + printable_line(diagnostic.hint);
+  return text;
 }
 
 namespace {

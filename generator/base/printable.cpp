@@ -21,4 +21,10 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string printable_line(std::string_view text) {
+  std::string line;
+  for (const char c : printable(text)) line += c == '\n' ? std::string("\\n") : c == '\t' ? "\\t" : std::string(1, c);
+  return line;
+}
+
 }  // namespace pomona

@@ -10,4 +10,7 @@ namespace pomona {
 /// move the cursor, clear the screen or change the title of the window.
 std::string printable(std::string_view text);
 
+/// The same with line ends and tabs as "\n" and "\t", too: of what stands in one line, a name cannot make two.
+std::string printable_line(std::string_view text);
+
 }  // namespace pomona

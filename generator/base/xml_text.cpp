@@ -1,10 +1,12 @@
 #include "generator/base/xml_text.h"
 
+#include "generator/base/utf8.h"
+
 namespace pomona {
 
 std::string xml_escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : as_utf8(text)) {
     switch (c) {
       case '&':
         result += "&amp;";

@@ -114,7 +114,7 @@ Order order_of(const PieceOrigin& origin) {
 std::string command_for(const PieceOrigin& origin, const std::string& file, const std::string& further) {
   if (origin.source.empty() || origin.number == 0) return {};
   return std::string("pomona ") + (origin.knives.empty() ? "grow " : "cut ") + shell_word(origin.source) +
-         piece_words(order_of(origin)) + further + " -o " + shell_word(file);
+         piece_words(order_of(origin)) + further + " -o " + shell_word(source_word(file));
 }
 
 }  // namespace pomona

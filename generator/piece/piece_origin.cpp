@@ -6,7 +6,8 @@ namespace pomona {
 
 std::string source_word(const std::string& name_or_path) {
   const std::filesystem::path path = name_or_path;
-  return path.is_absolute() ? path.filename().string() : name_or_path;
+  const std::string word = path.is_absolute() ? path.filename().string() : name_or_path;
+  return word.starts_with('-') ? "./" + word : word;
 }
 
 std::string knives_text(const PieceOrigin& origin) {

@@ -1,10 +1,12 @@
 #include "render/export/ply.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "generator/base/error.h"
 #include "generator/surface/file/one_line.h"
 
 namespace pomona {
@@ -80,6 +82,12 @@ std::string write_solids(const Scene& scene, const ExportOptions& options) {
     vertices += meshes.at(instance.solid).position.size();
     faces += meshes.at(instance.solid).triangle.size();
   }
+
+  if (vertices > INT32_MAX || faces > INT32_MAX)
+    throw Error(ExitStatus::bad_data,
+                "a .ply holds 2147483647 vertices and faces at most, and the scene has " + std::to_string(vertices) +
+                    " and " + std::to_string(faces),
+                "fewer copies, or a lower --detail; .glb and .usda hold copies once");
 
   // All vertices, then all faces, instance by instance.
   std::string bytes = header_of(scene, parts, vertices, faces);

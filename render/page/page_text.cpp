@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/base/marked_text.h"
 #include "generator/base/xml_text.h"
 #include "render/gl/embedded_shaders.h"
 #include "render/page/page_files.h"
@@ -98,26 +98,6 @@ std::string base85(std::string_view bytes) {
       five[k] = static_cast<char>(digit + (digit >= 60 ? 1 : 0) + (digit >= 91 ? 1 : 0));
     }
     text.append(five, 5);
-  }
-  return text;
-}
-
-/// `page` with each mark "@NAME@" replaced; replacements are not searched for marks.
-std::string filled(std::string_view page, const std::vector<std::pair<std::string_view, std::string>>& marks) {
-  std::string text;
-  while (!page.empty()) {
-    std::size_t at = page.size();
-    const std::pair<std::string_view, std::string>* next = nullptr;
-    for (const auto& mark : marks) {
-      if (const std::size_t found = page.find(mark.first); found < at) {
-        at = found;
-        next = &mark;
-      }
-    }
-    text += page.substr(0, at);
-    if (next == nullptr) break;
-    text += next->second;
-    page.remove_prefix(at + next->first.size());
   }
   return text;
 }

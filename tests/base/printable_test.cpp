@@ -1,5 +1,7 @@
 #include "generator/base/printable.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "generator/base/error.h"
@@ -22,9 +24,13 @@ TEST(Printable, LeavesWordsLinesAndTabs) {
   EXPECT_EQ(printable("\xc2"), "\xc2") << "half a character at the end";
 }
 
+TEST(Printable, KeepsALineALine) { EXPECT_EQ(printable_line("a\nb\tc\x1b\\n"), "a\\nb\\tc\\x1b\\n"); }
+
 TEST(Printable, HoldsForAllThatIsTold) {
-  const Diagnostic diagnostic{{"x\x1b[2J.toml", 1, 2, {}}, "unknown key \"\x07\"", "\x9b is left alone"};
-  for (const char c : to_string(diagnostic)) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
+  const Diagnostic diagnostic{{"x\x1b[2J\n.toml", 1, 2, {}}, "unknown key \"\x07\n\"", "\x9b is\nleft alone"};
+  const std::string told = to_string(diagnostic);
+  for (const char c : told) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << "the hint has a line of its own";
 }
 
 }  // namespace

@@ -17,6 +17,13 @@ TEST(XmlText, LeavesOutWhatXmlCannotHold) {
             "a b c d");
 }
 
+TEST(XmlText, HoldsUtf8Alone) {
+  EXPECT_EQ(xml_escaped("a\xff"
+                        "b\xc3"),
+            "a\xef\xbf\xbd"
+            "b\xef\xbf\xbd");
+}
+
 TEST(XmlText, KeepsOtherCharactersAsTheyAre) { EXPECT_EQ(xml_escaped("cœur d’ananas"), "cœur d’ananas"); }
 
 }  // namespace

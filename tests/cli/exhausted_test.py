@@ -10,6 +10,7 @@ on the way first the threads cannot be had, then this allocation, then that one.
 
 import os
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,6 +23,26 @@ COMMANDS = (
     "cut cherry --knife half --section --quality draft --size 200x200 --quiet --threads 4 -o cherry.png",
 )
 EXHAUSTED = 71
+BATCH = """
+[batch]
+format = 1
+name = "b"
+quality = "draft"
+detail = 0.1
+thumbnail = 32
+[[entry]]
+name = "halves"
+templates = ["cherry"]
+count = 2
+knives = ["half", ["half", "across"]]
+[[entry]]
+name = "textures"
+templates = ["cherry"]
+count = 1
+texture = [0, 64]
+knives = ["wedges:3"]
+"""
+BATCH_STEP = 16 << 20
 STUDIO_LIMIT = 160 << 20  # bytes: the stacks of 32 threads take 256 MB
 
 
@@ -49,6 +70,34 @@ def tried(program, words, least):
     sys.exit(f"{' '.join(words)}: no limit was enough")
 
 
+def tried_batch(program, least):
+    """A batch in too little memory leaves items missing, says so, and a run with enough makes them: nothing is noted as
+    failed for good. How often that was."""
+    stopped = 0
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "b.toml"), "w", encoding="utf-8") as file:
+            file.write(BATCH)
+        words = ["batch", "b.toml", "--threads", "2", "--quiet", "-o"]
+        subprocess.run([program, *words, "whole"], cwd=folder, check=True)
+        for limit in range(least, MOST, BATCH_STEP):
+            shutil.rmtree(os.path.join(folder, "b"), ignore_errors=True)
+            status, message = ran(program, folder, [*words, "b"], limit)
+            if status not in (0, EXHAUSTED):
+                sys.exit(f"a batch with {limit >> 20} MB: status {status}, {message!r}")
+            if status == 0:
+                break
+            items = [os.path.join(at, name) for at, _, names in os.walk(os.path.join(folder, "b")) for name in names]
+            for item in items:
+                if item.endswith("item.json") and '"error"' in open(item, encoding="utf-8").read():
+                    sys.exit(f"a batch with {limit >> 20} MB notes {item} as failed")
+            stopped += any(item.endswith("item.json") for item in items)
+            done = subprocess.run([program, *words, "b", "--resume"], cwd=folder, capture_output=True, text=True, check=False)
+            same = subprocess.run(["diff", "-r", "whole", "b"], cwd=folder, capture_output=True, text=True, check=False)
+            if done.returncode != 0 or same.returncode != 0:
+                sys.exit(f"a batch after {limit >> 20} MB: {done.stderr} {same.stdout[:500]}")
+    return stopped
+
+
 def asked_studio(program, folder):
     """The status of the page of a studio that has no room for all its threads."""
     def confine():
@@ -69,6 +118,8 @@ def main():
         if not told:
             sys.exit(f"{command}: no limit was too small, so nothing was tried")
         print(f"{command}: {'; '.join(sorted(told))}")
+    if tried_batch(program, least) == 0:
+        sys.exit("no batch was left in the middle, so nothing was tried")
     with tempfile.TemporaryDirectory() as folder:
         if asked_studio(program, folder) != 200:
             sys.exit("the studio does not answer")

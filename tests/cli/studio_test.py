@@ -4,7 +4,9 @@
     studio_test.py PROGRAM TEMPLATES
 """
 
+import contextlib
 import json
+import os
 import pathlib
 import shutil
 import signal
@@ -12,6 +14,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -67,6 +70,15 @@ class Strangers(WithAFruit):
             self.refused(421, "/api/document", headers={"Host": host})
         self.assertEqual(self.server.ask("/api/document", headers={"Origin": "http://" + self.host})[0], 200)
 
+    def test_no_name_of_a_fruit_shows_the_token_or_is_a_mark(self):
+        for name in ("@TOKEN@", "@SCRIPT@", "@NONCE@"):
+            shutil.copy(self.folder / "cherry.toml", self.folder / f"{name}.toml")
+            studio = self.studio(f"./{name}.toml")
+            page = studio.ask("/?token=" + studio.token)[1].decode()
+            self.assertTrue(f"<title>{name} " in page, page[:600])
+            self.assertEqual(page.count(studio.token), 1, "the page holds the token where its script reads it")
+            self.assertEqual(page.count("<script"), 3)
+
     def test_it_listens_on_the_loopback_address_alone(self):
         listening = [line.split() for line in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]]
         port = f"{self.server.port:04X}"
@@ -100,6 +112,68 @@ class Strangers(WithAFruit):
         self.assertLess(time.monotonic() - began, 12)
         for wire in slow:
             wire.close()
+
+    def test_any_number_of_slow_clients_keeps_nobody_out(self):
+        slow = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(240)]
+        for wire in slow:
+            wire.sendall(b"GET / HTTP/1.1\r\nHost: x\r\n")
+        began = time.monotonic()
+        for k in range(3):  # a line each second, from all of them: none is ever silent for long
+            self.server.json("/api/state")
+            self.assertLess(time.monotonic() - began, k + 1)
+            time.sleep(max(0, k + 1 - (time.monotonic() - began)))
+            for wire in slow:
+                with contextlib.suppress(OSError):
+                    wire.sendall(b"X: y\r\n")
+        last = slow[-1]
+        with contextlib.suppress(ConnectionError):
+            while time.monotonic() - began < 9 and last.recv(100):
+                pass
+        self.assertLess(time.monotonic() - began, 8, "who sends slowly has five seconds for the whole head")
+        for wire in slow:
+            wire.close()
+
+    def test_a_head_without_end_is_not_kept(self):
+        with socket.create_connection(("127.0.0.1", self.server.port), timeout=10) as wire, self.assertRaises(OSError):
+            for _ in range(1000):
+                wire.sendall(b"X: " + 1000 * b"y" + b"\r\n")
+                time.sleep(0.001)
+
+    def most_memory(self):
+        """Of the studio so far, bytes."""
+        status = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
+        return 1024 * int(next(line for line in status.splitlines() if line.startswith("VmHWM")).split()[1])
+
+    @unittest.skipIf("SANITIZED" in os.environ, "sanitizers keep what is freed")
+    def test_a_request_takes_little_more_memory_than_it_has_bytes(self):
+        self.server.json("/api/document")
+        for body in (b"[" + 4_000_000 * b"[]," + b"0]", b'{"toml": {' + b",".join(b'"%d":0' % i for i in range(1_200_000)) + b"}}",
+                     b"{" + b",".join(b'"%d":0' % i for i in range(1_200_000)) + b"}", 12_000_000 * b"["):
+            before = self.most_memory()
+            self.refused(400, "/api/change", body=body)
+            self.assertLess(self.most_memory() - before, 4 * len(body) + (8 << 20), body[:10])
+
+    def test_a_million_mistakes_take_little_more_than_their_text(self):
+        document = self.server.json("/api/document")
+        before = self.most_memory()
+        toml = "".join(f"a{i}=0\n" for i in range(1_000_000))
+        status, told = self.server.ask("/api/section", {"toml": document["toml"] + toml, "svg": document["svg"]})
+        self.assertEqual(status, 422)
+        self.assertLess(len(told), 1 << 20)
+        self.assertLess(self.most_memory() - before, 512 << 20)
+
+    def test_edits_are_kept_while_fruit_are_grown(self):
+        document = self.server.json("/api/document")
+        asked = [threading.Thread(target=self.server.ask, daemon=True, args=("/api/section", {
+            "toml": document["toml"], "svg": document["svg"], "final": True, "detail": 0.5, "seed": k, "size": 64})) for k in range(40)]
+        for one in asked:
+            one.start()
+        time.sleep(0.3)
+        began = time.monotonic()
+        self.server.json("/api/change", {"seen": document["version"], "toml": document["toml"] + "# more\n", "svg": document["svg"]})
+        self.assertLess(time.monotonic() - began, 1.5)
+        for one in asked:
+            one.join()
 
     def test_only_pictures_beside_the_template_are_given_out(self):
         (self.folder / "photo.png").write_bytes(b"\x89PNG\r\n\x1a\n....")

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 
@@ -10,6 +11,8 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include "generator/base/left_in_flight.h"
 
 namespace pomona {
 
@@ -127,10 +130,10 @@ class FacetTriangulator {
     for (const std::uint32_t place : facet_.places) insert(place);
     for (std::size_t i = 0; i < 3; ++i) keep(facet_.corner[i], facet_.corner[(i + 1) % 3]);
     for (const std::array<std::uint32_t, 2>& s : facet_.segments) keep(s[0], s[1]);
-    for (const PlaceVertex v : mesh_.finite_vertex_handles()) name(v);
+    for (const PlaceVertex v : mesh_->finite_vertex_handles()) name(v);
 
     // Triangles and chains, in an order that does not depend on CGAL's.
-    for (const auto face : mesh_.finite_face_handles()) {
+    for (const auto face : mesh_->finite_face_handles()) {
       std::array<std::uint32_t, 3> t{};
       for (int i = 0; i < 3; ++i) t[static_cast<std::size_t>(i)] = face->vertex(i)->info().value;
       std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -165,7 +168,7 @@ class FacetTriangulator {
     const auto [entry, is_new] = vertex_of_.try_emplace(place);
     if (is_new) {
       const Vector& p = at_(place);
-      entry->second = mesh_.insert(ExactKernel::Point_2(ExactKernel::FT(p[u_]), ExactKernel::FT(p[v_])));
+      entry->second = mesh_->insert(ExactKernel::Point_2(ExactKernel::FT(p[u_]), ExactKernel::FT(p[v_])));
       entry->second->info().value = place;
     }
     return entry->second;
@@ -175,7 +178,7 @@ class FacetTriangulator {
     Kept kept{from, PlaceTriangulation::Constraint_id(nullptr)};
     if (from != to) {
       const PlaceVertex a = insert(from), b = insert(to);
-      kept.id = mesh_.insert_constraint(a, b);
+      kept.id = mesh_->insert_constraint(a, b);
     }
     kept_.push_back(kept);
   }
@@ -194,8 +197,8 @@ class FacetTriangulator {
   std::vector<std::uint32_t> chain(std::size_t kept) const {
     if (!kept_[kept].id.vl_ptr()) return {kept_[kept].from};
     std::vector<std::uint32_t> all;
-    for (auto v = mesh_.vertices_in_constraint_begin(kept_[kept].id);
-         v != mesh_.vertices_in_constraint_end(kept_[kept].id); ++v) {
+    for (auto v = mesh_->vertices_in_constraint_begin(kept_[kept].id);
+         v != mesh_->vertices_in_constraint_end(kept_[kept].id); ++v) {
       all.push_back((*v)->info().value);
     }
     if (all.front() != kept_[kept].from) std::reverse(all.begin(), all.end());
@@ -223,7 +226,7 @@ class FacetTriangulator {
   const NumberOf& number_of_;
   Vector normal_;
   std::size_t axis_ = 0, u_ = 1, v_ = 2;
-  PlaceTriangulation mesh_;
+  std::unique_ptr<PlaceTriangulation, LeftInFlight<PlaceTriangulation>> mesh_{new PlaceTriangulation};
   std::unordered_map<std::uint32_t, PlaceVertex> vertex_of_;
   std::vector<Kept> kept_;
 };

@@ -69,7 +69,7 @@ struct PlaneTriangulation::Data {
 };
 
 PlaneTriangulation::PlaneTriangulation(std::span<const glm::dvec2> points, std::span<const PlaneConstraint> constraints)
-    : data_(std::make_unique<Data>()) {
+    : data_(new Data) {
   FaceHandle hint;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vertex v = data_->mesh.insert(to_point(points[i]), hint);

@@ -10,6 +10,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "generator/base/left_in_flight.h"
+
 namespace pomona {
 
 /// A segment the triangulation must keep, between two of the points it was given.
@@ -51,7 +53,7 @@ class PlaneTriangulation {
 
  private:
   struct Data;
-  std::unique_ptr<Data> data_;
+  std::unique_ptr<Data, LeftInFlight<Data>> data_;
 };
 
 }  // namespace pomona

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "generator/base/utf8.h"
+
 namespace pomona::usd {
 
 namespace {
@@ -82,7 +84,7 @@ std::string list(std::span<const std::int32_t> values) {
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
-  for (const char c : text) {
+  for (const char c : as_utf8(text)) {
     if (c == '"' || c == '\\') result += '\\';
     if (static_cast<unsigned char>(c) < 32) {
       result += ' ';
@@ -99,8 +101,15 @@ void append_line(std::string& text, int indent, const std::string& line) {
 }
 
 std::string asset(const std::string& file) {
-  const std::string around = file.find('@') == std::string::npos ? "@" : "@@@";
-  return around + "./" + file + around;
+  if (file.find('@') == std::string::npos) return "@./" + file + "@";
+  // Three in the name would end the path, also where two stand at its end [openusd.org, "Asset"].
+  std::string escaped;
+  for (std::size_t i = 0; i < file.size();) {
+    const bool is_end = std::string_view(file).substr(i).starts_with("@@@");
+    escaped += is_end ? "\\@@@" : std::string(1, file[i]);
+    i += is_end ? 3 : 1;
+  }
+  return "@@@./" + escaped + "@@@";
 }
 
 std::string PrimNames::name_for(const std::string& wanted) {

@@ -141,6 +141,17 @@ class Resume(Sandbox):
         self.assertEqual((result["made"], result["found"]), (3, 6))
         self.assert_as_expected()
 
+    def test_with_verify_makes_anew_what_is_not_as_it_was_written(self):
+        shutil.copytree(self.whole, self.path / "out")
+        file = self.path / "out/files/000/radish.ply"
+        bytes_then = bytearray(file.read_bytes())
+        bytes_then[-1] ^= 1
+        file.write_bytes(bytes_then)
+        self.assertEqual(json.loads(self.run_batch("--resume", "--json").stdout)["made"], 0, "lengths alone are looked at")
+        self.assertEqual(json.loads(self.run_batch("--resume", "--verify", "--json").stdout)["made"], 1)
+        self.assert_as_expected()
+        self.run_batch("--verify", status=64)
+
     def test_is_asked_for_where_items_are_there(self):
         shutil.copytree(self.whole, self.path / "out")
         self.assertIn("--resume", self.run_batch(status=73).stderr)

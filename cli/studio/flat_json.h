@@ -1,0 +1,15 @@
+// The JSON that the studio's page sends: one object of texts, numbers and truth values.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace pomona {
+
+/// Null if it is anything else: with objects or lists inside it, or with more than 32 keys. Reading ends at the first
+/// of these, so that a request takes little more memory than it has bytes; as a tree, a list of empty lists takes
+/// thirty times as much.
+nlohmann::json parse_flat_json(const std::string& text);
+
+}  // namespace pomona

@@ -1,0 +1,17 @@
+// Whether bytes are UTF-8. Names of files may be any bytes; most formats hold UTF-8 alone.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace pomona {
+
+/// Length of the character that the text begins with, in bytes (RFC 3629: no overlong forms, no surrogates); 0 if it
+/// begins with none.
+std::size_t utf8_length(std::string_view text);
+
+/// The text with U+FFFD for every byte that belongs to no character.
+std::string as_utf8(std::string_view text);
+
+}  // namespace pomona
