@@ -74,7 +74,7 @@ ExitStatus make_batch(const BatchCommand& command) {
   const RunOptions options{
       .shard = parse_shard(command.shard), .threads = {command.threads}, .memory = parse_memory(command.memory)};
   const BatchPlan plan = wanted_batch(find_file("scenes", command.batch, "batch"));
-  const std::vector<Style> styles = styles_of(plan);
+  const std::vector<EntryStyles> styles = styles_of(plan);
   const std::string record = record_of(plan);
   const fs::path folder = command.output;
   check_folder_of(folder, record, command.resume, plan, options.shard);

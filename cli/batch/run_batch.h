@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "cli/batch/entry_styles.h"
 #include "cli/batch/tally.h"
 #include "cli/batch/workplace.h"
 #include "cli/deliver/progress.h"
 #include "generator/base/parallel.h"
 #include "generator/batch/batch_plan.h"
-#include "render/style/style.h"
 
 namespace pomona {
 
@@ -32,7 +32,7 @@ struct RunReport {
 /// after the items under way.
 /// \throws Error (cannot_create, io_error) if something cannot be written, (locked) if it was ended by a signal. What
 /// is whole by then stays.
-RunReport run_batch(const BatchPlan& plan, const std::vector<Style>& styles, Workplace& workplace,
+RunReport run_batch(const BatchPlan& plan, const std::vector<EntryStyles>& styles, Workplace& workplace,
                     const RunOptions& options, Progress& progress);
 
 /// Whether any item of the shard is there.

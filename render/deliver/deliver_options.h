@@ -20,7 +20,8 @@ namespace pomona {
 
 /// How files are made besides what the order says.
 struct DeliverOptions {
-  Style style = {};  ///< that the order's style names, as found
+  Style style = {};          ///< that drawn_style() names, as found
+  Style texture_style = {};  ///< that baked_style() names, as found
   Provenance provenance = {};
   PictureSize usual_size = {960, 720};  ///< of pictures where the order says none, and of lines in .pov
   DeliveryProgress progress = {};
