@@ -131,7 +131,7 @@ vec3 wet_gleam(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint, S
   vec3 mirrored = reflect(-to_eye, m);
   float share = of_water(dot(m, to_eye)) * film * mix(0.6, 1.0, smoothstep(0.5, 2.2, wet));
   float pane = window(m, to_eye, 0.10) * mix(0.1, 1.0, seen.sun);
-  return share * (room_at(mirrored, to_light) * mix(0.25, 1.0, seen.sky) + 9.0 * light_strengths.x * pane * vec3(1.0, 0.98, 0.95));
+  return share * (room_at(mirrored, to_light) * mix(0.25, 1.0, seen.sky) + 20.0 * light_strengths.x * pane * vec3(1.0, 0.98, 0.95));
 }
 #endif
 
