@@ -98,7 +98,8 @@ ExitStatus cut_fruit(const CutCommand& command) {
   const Order order = read_order(command.typed, formats_for(command.typed));
   check_order(order, OrderTaker::cut, command.telling);
   CommandReport report(command.telling);
-  const DeliverOptions how{.style = find_style(order.color.style.empty() ? "ink" : order.color.style),
+  const DeliverOptions how{.style = find_style(drawn_style(order.color)),
+                           .texture_style = find_style(baked_style(order.color)),
                            .provenance = provenance_of(order.fruit),
                            .progress = report.told_progress()};
   report.warn(idle_options(order, OrderTaker::cut));

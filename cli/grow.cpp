@@ -93,7 +93,8 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   check_order(order, OrderTaker::grow, command.telling);
   CommandReport report(command.telling);
   report.warn(idle_options(order, OrderTaker::grow));
-  const DeliverOptions how{.style = find_style(order.color.style.empty() ? "ink" : order.color.style),
+  const DeliverOptions how{.style = find_style(drawn_style(order.color)),
+                           .texture_style = find_style(baked_style(order.color)),
                            .provenance = provenance_of(order.fruit),
                            .progress = report.told_progress()};
   order.fruit.seeds.empty() ? grow_one(command.fruit, order, how, report)

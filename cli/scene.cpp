@@ -77,7 +77,8 @@ ExitStatus compose_scene(const SceneCommand& command) {
   SceneDescription description = report.times.time("read", [&] { return read_scene(file); });
   const Order order = completed(typed, description);
   description.seed = *order.fruit.seed;
-  const DeliverOptions how{.style = find_style(order.color.style.empty() ? "ink" : order.color.style),
+  const DeliverOptions how{.style = find_style(drawn_style(order.color)),
+                           .texture_style = find_style(baked_style(order.color)),
                            .provenance = provenance_of(order.fruit),
                            .usual_size = {description.width, description.height},
                            .progress = report.told_progress()};

@@ -118,6 +118,41 @@ vec4 layer_at(sampler2D layer, ivec2 pixel, int sample_index, bool all) {
   return sum / float(count);
 }
 
+#if defined(WINDOW) && !defined(PAPER)
+// Juice climbs the walls that hold a wet part: it leans away from them over half a millimetre (a meniscus).
+vec3 beside_rim(vec3 n, Nearest nearest, vec2 at, Material m) {
+  float climbs = juice * smoothstep(1.1, 2.0, m.wet) * exp(-nearest.rim / 0.45);
+  if (climbs < 0.02) return n;
+  vec2 inwards = vec2(0.0);
+  int k = 0;
+  do {
+    ivec2 aside = (k < 2 ? ivec2(1, 0) : ivec2(0, 1)) * (k % 2 == 0 ? 1 : -1) * samples_per_side;
+    ivec2 there = clamp(ivec2(at) + aside, ivec2(0), textureSize(albedo, 0) - 1);
+    if (texelFetch(albedo, there, 0).a != nearest.albedo.a) continue;
+    inwards += vec2(aside) * (texelFetch(normal_line, there, 0).w - nearest.rim);
+  } while (++k < 4);
+  if (dot(inwards, inwards) < 1e-8) return n;
+  vec3 way = mat3(camera_to_scene) * vec3(normalize(inwards), 0.0);
+  way -= n * dot(way, n);
+  return normalize(n + 0.75 * climbs * way / max(length(way), 0.2));
+}
+#endif
+
+#ifdef WINDOW
+// A little juice on the table, next to what lies on it: it darkens the table, and mirrors the window at its edge.
+vec3 with_juice(vec3 table, float wetness, vec3 place, vec3 to_eye) {
+  float uneven = gradient_noise(place * 130.0, 451u) + 0.5 * gradient_noise(place * 390.0, 452u);
+  float depth = wetness + 0.28 * uneven - 0.33;
+  float wet = smoothstep(0.0, 0.06, depth);
+  if (wet <= 0.0) return table;
+  float edge = wet * (1.0 - smoothstep(0.05, 0.16, depth));
+  vec3 n = normalize(vec3(0.0, 1.0, 0.0) + 0.5 * edge * vec3(to_light.x, 0.0, to_light.z));
+  float pane = window(n, to_eye, 0.12);
+  vec3 gleam = of_water(dot(n, to_eye)) * (0.6 * room_at(reflect(-to_eye, n), to_light) + 8.0 * pane);
+  return mix(table, table * vec3(0.90, 0.885, 0.86) + gleam, juice * wet);
+}
+#endif
+
 #ifndef PAPER
 // `at`: in samples.
 vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to, float grain_here) {
@@ -140,15 +175,20 @@ vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to,
   normal = with_details.normal;
 #endif
   Material material = material_at(nearest.albedo.a);
+#ifdef WINDOW
+  if (cut) normal = beside_rim(normal, nearest, at, material);
+#endif
   vec4 pit = cut || material.pit > 0.0 ? vec4(0.0) : pit_at(solid, fruit_position, turn_to_fruit(instance) * nearest.normal);
   if (pit != vec4(0.0)) {
     vec3 slope = transpose(turn_to_fruit(instance)) * pit.xyz;
     normal = normalize(normal - (slope - nearest.normal * dot(slope, nearest.normal)));
     seen.sky *= 1.0 - 0.6 * pit.w;
   }
-  return painted(fruit_color(color, normal, to_eye, seen, cut, material, fruit_position, footprint,
-                             nearest.rim),
-                 grain_here);
+  vec3 lit = fruit_color(color, normal, to_eye, seen, cut, material, fruit_position, footprint, nearest.rim);
+#ifdef WINDOW
+  lit = developed(lit);
+#endif
+  return painted(lit, grain_here);
 }
 #endif
 
@@ -159,6 +199,13 @@ vec3 sample_color(Nearest nearest, vec2 at, vec2 size, ivec2 pixel, vec3 ground,
     Seen seen = light_at(pixel, distance_to);
     // The table is the paper, with a wash of shadow on it.
     color *= mix(shadow_color, vec3(1.0), seen.sun) * mix(0.82 * shadow_color, vec3(1.0), seen.sky);
+#ifdef WINDOW
+    float wetness = juice > 0.0 ? texelFetch(light, pixel, 0).w : 0.0;
+    if (wetness > 0.0) {
+      vec3 way = vec3((2.0 * at / size - 1.0) * tangent, -1.0) * distance_to;
+      color = with_juice(color, wetness, (camera_to_scene * vec4(way, 1.0)).xyz, normalize(mat3(camera_to_scene) * -way));
+    }
+#endif
 #ifndef PAPER
     if (instance_of(nearest.id) != 0u) color = fruit_at(nearest, at, size, seen, distance_to, grain_here);
 #endif

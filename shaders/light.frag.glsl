@@ -36,6 +36,27 @@ vec3 camera_point(ivec2 sample_at, vec2 size, out float distance_to) {
   return vec3(ndc * tangent, -1.0) * distance_to;
 }
 
+#ifdef WINDOW
+const int shadow_finds = 16, shadow_looks = 32;
+uniform float juice_reach;  // metres
+
+// The share of a small circle around a place on the table above which something all but touches it.
+float juice_at(vec3 p, vec2 direction) {
+  vec2 here = (camera_to_table * vec4(p, 1.0)).xy;
+  float near = 0.0;
+  const int count = 20;
+  int i = 0;
+  do {
+    float height = texture(lowest, here + table_reach.y * juice_reach / table_reach.x * spiral_radius(i, count) * direction).r;
+    near += 1.0 - smoothstep(0.0004, 0.0012, height * table_reach.x);
+    direction = golden_angle * direction;
+  } while (++i < count);
+  return near / float(count);
+}
+#else
+const int shadow_finds = 8, shadow_looks = 14;
+#endif
+
 float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 direction) {
   const int count = 20;
   float radius = reach / distance_to / tangent.y * 0.5 * size.y;  // in samples
@@ -56,6 +77,24 @@ float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 dire
   } while (++i < count);
   return clamp(1.0 - 3.4 * taken / float(count), 0.0, 1.0);
 }
+
+#ifdef WINDOW
+// The same over a fifth of the reach: where pieces touch.
+float sky_nearby(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 direction) {
+  const int count = 16;
+  float near = 0.2 * reach, radius = near / distance_to / tangent.y * 0.5 * size.y, taken = 0.0;
+  int i = 0;
+  do {
+    ivec2 there = clamp(at + ivec2(spiral_radius(i, count) * radius * direction), ivec2(0), ivec2(size) - 1);
+    direction = golden_angle * direction;
+    float beyond;
+    vec3 v = camera_point(there, size, beyond) - p;
+    float squared = dot(v, v), fade = max(0.0, 1.0 - squared / (near * near));
+    taken += fade * max(dot(v, n) - 0.0015 * distance_to, 0.0) * inversesqrt(squared + 1e-4 * near * near);
+  } while (++i < count);
+  return clamp(1.0 - 2.2 * taken / float(count), 0.0, 1.0);
+}
+#endif
 
 // How much of what lies around on the picture belongs to another piece a little nearer than this place: what painters
 // deepen, so that each piece comes off the one behind it [Luft et al. 2006]. Paper stays clean.
@@ -104,22 +143,22 @@ float light_seen(vec3 p, vec3 n, vec2 direction) {
   vec2 way = direction;
   int i = 0;
   do {
-    float there = texture(shadow_map, q.xy + 0.03 * spiral_radius(i, 8) * way).r;
+    float there = texture(shadow_map, q.xy + 0.03 * spiral_radius(i, shadow_finds) * way).r;
     way = golden_angle * way;
     if (there < here) {
       gap += here - there;
       found += 1.0;
     }
-  } while (++i < 8);
+  } while (++i < shadow_finds);
   if (found == 0.0) return 1.0;
   float radius = clamp(light_size * gap / found, 0.002, 0.03);
   float seen = 0.0;
   i = 0;
   do {
-    seen += step(here, texture(shadow_map, q.xy + radius * spiral_radius(i, 14) * direction).r);
+    seen += step(here, texture(shadow_map, q.xy + radius * spiral_radius(i, shadow_looks) * direction).r);
     direction = golden_angle * direction;
-  } while (++i < 14);
-  return seen / 14.0;
+  } while (++i < shadow_looks);
+  return seen / float(shadow_looks);
 }
 
 void main() {
@@ -138,6 +177,13 @@ void main() {
   vec2 direction = first_direction(gl_FragCoord.xy);
   vec2 seen = vec2(sky_seen(p, n, distance_to, at, size, direction), light_seen(p, n, direction));
   if (table_reach.x > 0.0 && instance_of(texelFetch(ids, at, 0).r) == 0u) seen.x *= sky_over_table(p, direction);
+#ifdef WINDOW
+  seen.x = min(seen.x, mix(1.0, sky_nearby(p, n, distance_to, at, size, direction), 0.7));
+#endif
   seen.x *= 1.0 - 1.1 * behind_others(distance_to, at, size, direction);
   light = vec4(clamp(1.0 - strengths * (1.0 - seen), 0.0, 1.0), distance_to, 0.0);
+#ifdef WINDOW
+  bool is_table = table_reach.x > 0.0 && instance_of(texelFetch(ids, at, 0).r) == 0u;
+  if (is_table && juice_reach > 0.0) light.w = juice_at(p, direction);
+#endif
 }

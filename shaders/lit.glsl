@@ -5,9 +5,16 @@ uniform vec3 to_light;  // unit, scene
 uniform float gloss;
 uniform vec2 light_strengths;  // of the light, of what comes from all sides
 
+#ifdef WINDOW
+#include "window.glsl"
+const vec3 sun = vec3(1.02, 0.96, 0.86);
+const vec3 sky = vec3(0.36, 0.39, 0.43);
+const vec3 bounce = vec3(0.30, 0.275, 0.235);
+#else
 const vec3 sun = vec3(0.74, 0.70, 0.62);
 const vec3 sky = vec3(0.47, 0.50, 0.54);
 const vec3 bounce = vec3(0.40, 0.36, 0.31);
+#endif
 const float film_frequency = 95.0;  // of the swells of a film of juice, cycles per metre
 
 // What is known of the light at a place: how much of the sky and of the sun reaches it, and of each colour of the
@@ -27,6 +34,23 @@ vec3 sky_at(float up, float seen) {
   return light_strengths.y * mix(bounce, sky, 0.5 + 0.5 * up) * mix(0.2, 1.0, seen);
 }
 
+#ifdef WINDOW
+// A large light: less wrapped than a drawing's. What leaves a piece through its face falls on the table below and most
+// of it comes back, so that thin slices stay as bright as thick ones; what comes through from behind has the colour of
+// what it went through once more.
+vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
+  float towards = dot(n, to_light), key = clamp((towards + 0.22) / 1.22, 0.0, 1.0);
+  if (cut) key = mix(key, 0.82, 0.3);
+  float lit = key * mix(0.03, 1.0, seen.sun) * mix(0.75, 1.0, seen.sky);
+  float beyond = clamp((0.35 - towards) / 1.35, 0.0, 1.0);
+  vec3 within = 1.15 * let_in(depth) * seen.arrives * beyond * mix(0.6, 1.0, seen.sky);
+  vec3 direct = lit * (1.0 - 0.3 * let_in(depth) * seen.leaves) + within;
+  vec3 around = light_strengths.y * mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(vec3(0.1), vec3(1.0), with_bounces(seen.sky, color));
+  vec3 received = around + light_strengths.x * sun * direct;
+  float shade = clamp(1.0 - dot(received, vec3(0.33)), 0.0, 1.0);
+  return pow(max(color, 1e-4), vec3(1.0 + 0.34 * shade)) * received;
+}
+#else
 vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
   // On cut faces flatter still, so that their colours are what one sees.
   float key = wrapped(dot(n, to_light));
@@ -45,6 +69,8 @@ vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
   float shade = clamp(1.0 - dot(received, vec3(0.33)), 0.0, 1.0);
   return pow(max(color, 1e-4), vec3(1.0 + 0.22 * shade)) * received;
 }
+
+#endif
 
 vec3 dull_color(vec3 color, vec3 n, vec2 seen, bool cut) {
   return dull_color(color, n, Seen(seen.x, seen.y, vec3(0.0), vec3(0.0)), cut, 0.0);
@@ -88,6 +114,27 @@ float cut_shine(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint) 
   return sheen + film * (0.6 + 0.25 * min(wet, 2.4)) * bright;
 }
 
+#ifdef WINDOW
+// A wet face: its film of juice lies in swells of a centimetre and of some millimetres, and mirrors the window in a few
+// patches that have its shape, and elsewhere a little of the room.
+vec3 wet_gleam(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint, Seen seen) {
+  float film = smoothstep(0.25, 1.2, wet);
+  if (film <= 0.0) return vec3(0.0);
+  vec3 slope = vec3(0.0);
+  int k = 0;
+  do {
+    float cycles = k < 3 ? 75.0 : 260.0;
+    float shown = 1.0 - smoothstep(0.2, 0.45, cycles * footprint);
+    if (shown > 0.0) slope[k % 3] += (k < 3 ? 0.24 : 0.11) * shown * gradient_noise(position * cycles + float(k % 3) * 17.3, 431u + uint(k));
+  } while (++k < 6);
+  vec3 m = normalize(n + slope);
+  vec3 mirrored = reflect(-to_eye, m);
+  float share = of_water(dot(m, to_eye)) * film * mix(0.6, 1.0, smoothstep(0.5, 2.2, wet));
+  float pane = window(m, to_eye, 0.10) * mix(0.1, 1.0, seen.sun);
+  return share * (room_at(mirrored, to_light) * mix(0.25, 1.0, seen.sky) + 20.0 * light_strengths.x * pane * vec3(1.0, 0.98, 0.95));
+}
+#endif
+
 // How much of a gel a part is: light goes deep into it, and it is wet.
 float gel_of(Material m) { return smoothstep(0.0034, 0.0055, m.depth) * smoothstep(1.0, 2.2, m.wet); }
 
@@ -118,6 +165,11 @@ vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, Seen seen, bool cut, Material 
   vec3 dull = dull_color(color, n, seen, cut, m.depth);
   float aslant = 1.0 - cosine;
   float slant = aslant * aslant * aslant * aslant * aslant;
+#ifdef WINDOW
+  if (cut) return dull + gloss * wet_gleam(n, to_eye, m.wet, position, footprint, seen);
+  float smooth_skin = smoothstep(0.5, 0.12, m.roughness);
+  vec3 mirrored = room_at(reflect(-to_eye, n), to_light) * mix(0.2, 1.0, seen.sky) * of_water(cosine) * smooth_skin;
+#endif
   if (cut) {
     // Water reflects a little of the sky, most of it at a slant.
     vec3 sky_in_film = sky_at(reflect(-to_eye, n).y, seen.sky) * (0.008 + 0.4 * slant) * min(m.wet, 2.0);
@@ -134,5 +186,8 @@ vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, Seen seen, bool cut, Material 
   // At a slant even a dull skin reflects the sky.
   vec3 reflected = sky_at(reflect(-to_eye, n).y, seen.sky) * slant * 0.5 * smoothstep(0.5, 0.1, m.roughness);
   float polish = gloss * m.gloss * (1.0 - 0.8 * veil) * (1.0 - m.fuzz.a);
+#ifdef WINDOW
+  reflected = mirrored;
+#endif
   return dull + polish * (skin_shine(n, to_eye, m.roughness) * seen.sun * vec3(1.0, 0.98, 0.94) + reflected);
 }

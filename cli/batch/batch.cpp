@@ -76,7 +76,7 @@ ExitStatus make_batch(const BatchCommand& command) {
                            .memory = parse_memory(command.memory),
                            .check = command.verify ? FileCheck::hashes : FileCheck::lengths};
   const BatchPlan plan = wanted_batch(find_file("scenes", command.batch, "batch"));
-  const std::vector<Style> styles = styles_of(plan);
+  const std::vector<EntryStyles> styles = styles_of(plan);
   const std::string record = record_of(plan);
   const fs::path folder = command.output;
   check_folder_of(folder, record, command.resume, plan, options.shard);

@@ -56,8 +56,9 @@ struct MadePieces {
 };
 
 MadePieces made_pieces(const OrderedFruit& fruit, const Template& drawn, const Order& order, const AssetOptions& assets,
-                       const Style& style) {
-  const DeliverOptions how{.style = style, .provenance = provenance_of(order.fruit)};
+                       const EntryStyles& styles) {
+  const DeliverOptions how{
+      .style = styles.drawn, .texture_style = styles.baked, .provenance = provenance_of(order.fruit)};
   const std::unique_ptr<Diffuser> diffuser = ordered_diffuser(order);
   Delivered delivered = live_files({&fruit, 1}, order, how);
   Slices slices = cut_to_order(fruit, order, diffuser.get());
@@ -65,7 +66,7 @@ MadePieces made_pieces(const OrderedFruit& fruit, const Template& drawn, const O
   const std::vector<RipenessVariant> variants =
       ripeness_variants(slices.pieces, fruit, drawn, order, diffuser.get(), times);
   MadePieces made{gathered(std::move(slices.pieces)), {}, std::move(slices.warnings)};
-  made.scene.paper = style.paper;
+  made.scene.paper = styles.drawn.paper;
 
   // The thumbnail shows the meshes that the .glb holds.
   const ExportOptions options = export_options(order, how);
@@ -100,7 +101,7 @@ std::string reason_of(const std::exception& error) {
 }
 
 MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const OrderedFruit* grown,
-                   const std::string& growing_error, const BatchItem& item, const Style& style) {
+                   const std::string& growing_error, const BatchItem& item, const EntryStyles& styles) {
   const PlannedEntry& entry = plan.entries[which.entry];
   MadeItem made{.item = item_path(entry.wanted.name, entry.items(), item.number), .files = {}, .error = growing_error};
 
@@ -113,8 +114,8 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Order
       order.threads = alone;
       const Template& drawn = plan.templates[which.fruit].fruit;
       const bool is_fresh = item.browning == grown->fruit.individual.browning;
-      pieces = is_fresh ? made_pieces(*grown, drawn, order, entry.wanted.assets, style)
-                        : made_pieces(browned(*grown, item.browning), drawn, order, entry.wanted.assets, style);
+      pieces = is_fresh ? made_pieces(*grown, drawn, order, entry.wanted.assets, styles)
+                        : made_pieces(browned(*grown, item.browning), drawn, order, entry.wanted.assets, styles);
       made.files = std::move(pieces.files);
       outcome = {.pieces = pieces.scene.solids,
                  .files = recorded(made.files),

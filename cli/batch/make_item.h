@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/batch/entry_styles.h"
 #include "generator/batch/batch_plan.h"
 #include "generator/order/ordered_fruit.h"
 #include "render/export/named_file.h"
-#include "render/style/style.h"
 
 namespace pomona {
 
@@ -24,7 +24,7 @@ OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, co
 /// \param grown none where growing failed, `growing_error` says how.
 /// \throws what says that memory or threads ran out (exhausted.h): another time there may be enough.
 MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const OrderedFruit* grown,
-                   const std::string& growing_error, const BatchItem& item, const Style& style);
+                   const std::string& growing_error, const BatchItem& item, const EntryStyles& styles);
 
 /// What went wrong, in words that are the same each time.
 std::string reason_of(const std::exception& error);

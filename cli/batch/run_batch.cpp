@@ -76,7 +76,7 @@ class ReadyTemplates {
 
 class Run {
  public:
-  Run(const BatchPlan& plan, const std::vector<Style>& styles, Workplace& workplace, const RunOptions& options,
+  Run(const BatchPlan& plan, const std::vector<EntryStyles>& styles, Workplace& workplace, const RunOptions& options,
       Progress& progress)
       : plan_(plan),
         styles_(styles),
@@ -206,7 +206,7 @@ class Run {
   }
 
   const BatchPlan& plan_;
-  const std::vector<Style>& styles_;  // of each entry
+  const std::vector<EntryStyles>& styles_;  // of each entry
   Workplace& workplace_;
   Progress& progress_;
   HeldSignals signals_;
@@ -225,7 +225,7 @@ class Run {
 
 }  // namespace
 
-RunReport run_batch(const BatchPlan& plan, const std::vector<Style>& styles, Workplace& workplace,
+RunReport run_batch(const BatchPlan& plan, const std::vector<EntryStyles>& styles, Workplace& workplace,
                     const RunOptions& options, Progress& progress) {
   return Run(plan, styles, workplace, options, progress).all(options);
 }

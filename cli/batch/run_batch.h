@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/batch/entry_styles.h"
 #include "cli/batch/finished_item.h"
 #include "cli/batch/tally.h"
 #include "cli/batch/workplace.h"
 #include "cli/deliver/progress.h"
 #include "generator/base/parallel.h"
 #include "generator/batch/batch_plan.h"
-#include "render/style/style.h"
 
 namespace pomona {
 
@@ -35,7 +35,7 @@ struct RunReport {
 /// \throws Error (cannot_create, io_error) if something cannot be written, (locked) if it was ended by a signal,
 /// (out_of_memory) if memory or threads did not suffice for items, which then are missing. What
 /// is whole by then stays.
-RunReport run_batch(const BatchPlan& plan, const std::vector<Style>& styles, Workplace& workplace,
+RunReport run_batch(const BatchPlan& plan, const std::vector<EntryStyles>& styles, Workplace& workplace,
                     const RunOptions& options, Progress& progress);
 
 /// Whether any item of the shard is there.

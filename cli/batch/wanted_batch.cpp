@@ -48,11 +48,11 @@ BatchPlan wanted_batch(const std::filesystem::path& file) {
   return planned(read_batch(file), {.find = find_template, .all = all_templates});
 }
 
-std::vector<Style> styles_of(const BatchPlan& plan) {
-  std::vector<Style> styles;
+std::vector<EntryStyles> styles_of(const BatchPlan& plan) {
+  std::vector<EntryStyles> styles;
   for (const PlannedEntry& entry : plan.entries) {
-    const std::string& name = entry.wanted.assets.order.color.style;
-    styles.push_back(find_style(name.empty() ? "ink" : name));
+    const ColorOrder& color = entry.wanted.assets.order.color;
+    styles.push_back({find_style(drawn_style(color)), find_style(baked_style(color))});
   }
   return styles;
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/batch/entry_styles.h"
 #include "generator/batch/batch_plan.h"
-#include "render/style/style.h"
 
 namespace pomona {
 
@@ -21,8 +21,8 @@ std::string record_of(const BatchPlan& plan);
 /// \throws Error (cannot_create) saying in what they differ, if the folder holds another batch.
 void check_holds_no_other(const std::filesystem::path& folder, const std::string& there, const std::string& wanted);
 
-/// The style of each entry. \throws Error as find_style()
-std::vector<Style> styles_of(const BatchPlan& plan);
+/// The styles of each entry. \throws Error as find_style()
+std::vector<EntryStyles> styles_of(const BatchPlan& plan);
 
 /// Options that have no effect on any entry.
 std::vector<std::string> batch_warnings(const BatchPlan& plan);

@@ -150,12 +150,15 @@ std::vector<OrderOption> color_options() {
        .value = ParsedValue{[](Order& o, const std::string& text) { o.color.style = text; },
                             [](const Order& o) {
                               const std::string word = source_word(o.color.style);
-                              return word == "ink" ? std::string() : word;
+                              const ColorOrder unsaid;
+                              const std::string usual =
+                                  wants_textures(o.mesh) ? baked_style(unsaid) : drawn_style(unsaid);
+                              return word == usual ? std::string() : word;
                             }},
        .type = "STYLE",
-       .help =
-           "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said, of plates "
-           "plate",
+       .help = "Look of pictures and textures: a name from `pomona list --styles` or a style file (.toml); ink unless "
+               "said, "
+               "of textures photo, of plates plate",
        .takers = of_all,
        .heeded = colored_formats,
        .makes_piece = true},

@@ -22,6 +22,10 @@ Order without(Order order, const std::vector<Format>& formats) {
 
 bool wants_textures(const MeshOrder& mesh) { return mesh.texture > 0 || mesh.texel.metres > 0; }
 
+std::string drawn_style(const ColorOrder& color) { return color.style.empty() ? "ink" : color.style; }
+
+std::string baked_style(const ColorOrder& color) { return color.style.empty() ? "photo" : color.style; }
+
 std::optional<PictureSize> picture_size(const PictureOrder& picture) {
   if (!picture.size) return std::nullopt;
   const PictureExtent& size = *picture.size;

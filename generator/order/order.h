@@ -44,11 +44,11 @@ struct CutOrder {
 /// Which solver diffuses colour over cut faces. `automatic` is `gl` on a graphics card, else `cpu`.
 enum class DiffuserKind { cpu, gl, harmonic, walk, automatic };
 
-/// Colours of cut faces and pictures.
+/// How cut faces, pictures and textures get their colours.
 struct ColorOrder {
   std::optional<DiffuserKind> diffuser = {};  ///< none: cpu; for the grids of pages and assets harmonic
   Quality quality = Quality::final;           ///< the error of the diffusion, nothing else
-  std::string style = {};                     ///< name or path; none: "ink", or that of a scene's file
+  std::string style = {};                     ///< name or path; none: see drawn_style() and baked_style()
 };
 
 /// A length as it was typed, with its unit: commands that make a piece again repeat the words.
@@ -117,6 +117,11 @@ Order without(Order order, const std::vector<Format>& formats);
 
 /// Whether colours are baked into textures.
 bool wants_textures(const MeshOrder& mesh);
+
+/// The name or path of the style of pictures, pages and vertices, and that of textures: what the order says, else "ink"
+/// for what is drawn and "photo" for what others light.
+std::string drawn_style(const ColorOrder& color);
+std::string baked_style(const ColorOrder& color);
 
 struct PictureSize {
   int width = 0, height = 0;  ///< pixels

@@ -1,6 +1,9 @@
 // The material of a part besides its colours: its gloss, its bloom and hairs, its translucency.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "generator/base/color.h"
 
 namespace pomona {
@@ -28,6 +31,16 @@ struct Translucency {
   Color color{1.0f};
 };
 
+/// What a part is made of, as far as light is concerned that goes in: render/style/tissue_light.h has numbers for each.
+enum class Tissue : std::uint8_t { flesh, gel, pith, skin, leaf, seed, shell, mineral };
+
+/// Light that is scattered under the surface, as path tracers want it said.
+struct Subsurface {
+  double radius = 0;  ///< mean way from where light goes in to where it comes out, metres; 0 = it does not go in
+  Color tint{1.0f};   ///< each channel's way is `radius` times its share of this
+  double weight = 1;  ///< share of what is not mirrored that goes in, 0..1
+};
+
 /// The material of one part. The defaults are those of a part without a description.
 struct MaterialSketch {
   double gloss = 1;        ///< strength of the highlight on skins, 0..4
@@ -38,6 +51,12 @@ struct MaterialSketch {
   Bloom bloom;
   Fuzz fuzz;
   Translucency translucency;
+
+  // What only renderers that follow light's paths ask. Without them, tissue_light.h says it.
+  std::optional<Tissue> tissue;          ///< without it, by the part's name
+  std::optional<Subsurface> subsurface;  ///< without it, by `translucency`, else by the tissue
+  std::optional<double> transmission;    ///< share of light that goes straight through, as through glass, 0..1
+  std::optional<double> coat;            ///< share of a clear, smooth film, 0..1; without it, by `wet` or `gloss`
 };
 
 }  // namespace pomona

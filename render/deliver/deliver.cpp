@@ -61,8 +61,10 @@ Delivered files(const SceneViews& scene, const Order& order, const DeliverOption
 }
 
 Delivered files(const Scene& scene, const Order& order, const Provenance& provenance) {
-  const std::string style = order.color.style.empty() ? "ink" : order.color.style;
-  return files({.placed = scene}, order, {.style = style_named(style), .provenance = provenance});
+  return files({.placed = scene}, order,
+               {.style = style_named(drawn_style(order.color)),
+                .texture_style = style_named(baked_style(order.color)),
+                .provenance = provenance});
 }
 
 Delivered surface_files(const OrderedFruit& fruit, const Order& order) {
@@ -78,8 +80,8 @@ std::vector<std::unique_ptr<StreamedGlb>> streams_of(const Order& order, const D
   std::vector<std::unique_ptr<StreamedGlb>> streams;
   const bool needs_no_looks = all_are(order.outputs, {Format::glb, Format::json});
   if (!order.mesh.maps_dir.empty() || !needs_no_looks) return streams;
-  const StreamedGlbOptions stream{
-      .exported = export_options(order, how), .lod = order.mesh.lod, .bake = bake_options(order)};
+  StreamedGlbOptions stream{.exported = export_options(order, how), .lod = order.mesh.lod, .bake = bake_options(order)};
+  if (stream.bake) stream.exported.style = how.texture_style;
   for (const Output& output : order.outputs) {
     if (output.format == Format::glb) streams.push_back(std::make_unique<StreamedGlb>(output.file, stream));
   }

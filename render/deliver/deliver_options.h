@@ -20,7 +20,8 @@ namespace pomona {
 
 /// How files are made, besides the order.
 struct DeliverOptions {
-  Style style = {};  ///< the style that the order names
+  Style style = {};          ///< that drawn_style() names, as found
+  Style texture_style = {};  ///< that baked_style() names, as found
   Provenance provenance = {};
   PictureSize usual_size = {960, 720};  ///< size of pictures without one in the order, and of lines in .pov
   DeliveryProgress progress = {};

@@ -129,14 +129,15 @@ ReadyMeshes ready_meshes(const SceneViews& scene, const Order& order, const Deli
 
   // Variants differ only in colour.
   BakeOptions bake = *wanted;
-  ready.baked = delivered.times.time("bake", [&] { return baked_by_fruit(solids, how.style, bake, how.progress); });
-  ready.coarser = delivered.times.time("bake", [&] { return baked_levels(ready.levels, how.style, bake); });
+  ready.baked =
+      delivered.times.time("bake", [&] { return baked_by_fruit(solids, how.texture_style, bake, how.progress); });
+  ready.coarser = delivered.times.time("bake", [&] { return baked_levels(ready.levels, how.texture_style, bake); });
   count_texels(ready.baked, delivered);
   for (const std::vector<BakedSolid>& of_solid : ready.coarser) count_texels(of_solid, delivered);
   bake.maps = Maps::color;
   for (const RipenessVariant& riper : scene.variants) {
     ready.variants.push_back(
-        {riper.name, delivered.times.time("bake", [&] { return all_baked(riper.pieces, how.style, bake); })});
+        {riper.name, delivered.times.time("bake", [&] { return all_baked(riper.pieces, how.texture_style, bake); })});
     count_texels(ready.variants.back().solids, delivered);
   }
   return ready;

@@ -24,7 +24,7 @@ PbrMaterial material_of_skin(const MaterialSketch& material) {
   PbrMaterial look;
   look.roughness = rounded(pbr_roughness(material, false));
   look.specular = rounded(std::min(material.gloss, 1.0));
-  look.clearcoat = rounded(std::min(1.0, 3.2 * smoothness * material.gloss));
+  look.clearcoat = rounded(material.coat.value_or(std::min(1.0, 3.2 * smoothness * material.gloss)));
   if (look.clearcoat > 0) look.clearcoat_roughness = rounded(material.roughness);
 
   const double hair = 1 - reproducible::exp(-0.9e3 * material.fuzz.length * material.fuzz.density);
@@ -50,10 +50,21 @@ PbrMaterial look_of(const MaterialSketch& material, bool on_cut_face) {
   const double millimetres = 1000 * material.translucency.depth;
   look.transmission = rounded(0.45 * millimetres / (millimetres + 1));
   if (look.transmission > 0) look.transmission_color = rounded(glm::dvec3(material.translucency.color));
+  look.clearness = rounded(material.transmission.value_or(0));
   return look;
 }
 
 namespace {
+
+/// The look of one of a solid's parts.
+PbrMaterial look_of_part(const Solid& solid, std::int32_t part, bool on_cut_face, LightInside light) {
+  const MaterialSketch material = material_of(solid, part);
+  PbrMaterial look = solid.look->materials.empty() ? PbrMaterial{} : look_of(material, on_cut_face);
+  const auto number = static_cast<std::size_t>(part);
+  if (light == LightInside::told && part >= 0 && number < solid.look->part_names.size())
+    look.inside = tissue_light(material, solid.look->part_names[number]);
+  return look;
+}
 
 /// The parts that have a look on skins, and on cut faces.
 struct PartsOfMaterial {
@@ -61,7 +72,7 @@ struct PartsOfMaterial {
   std::vector<std::size_t> on_skin, on_cut;
 };
 
-std::vector<PartsOfMaterial> parts_by_material(const Solid& solid) {
+std::vector<PartsOfMaterial> parts_by_material(const Solid& solid, LightInside light) {
   std::vector<PartsOfMaterial> all;
   const auto of = [&](const PbrMaterial& look) -> PartsOfMaterial& {
     const auto at =
@@ -69,10 +80,10 @@ std::vector<PartsOfMaterial> parts_by_material(const Solid& solid) {
     return at != all.end() ? *at : all.emplace_back(PartsOfMaterial{look, {}, {}});
   };
   for (std::size_t part = 0; part < solid.look->part_names.size(); ++part) {
-    const MaterialSketch material = material_of(solid, static_cast<std::int32_t>(part));
+    const auto number = static_cast<std::int32_t>(part);
     if (solid.look->on_skin.empty() || solid.look->on_skin[part] != 0)
-      of(look_of(material, false)).on_skin.push_back(part);
-    of(look_of(material, true)).on_cut.push_back(part);
+      of(look_of_part(solid, number, false, light)).on_skin.push_back(part);
+    of(look_of_part(solid, number, true, light)).on_cut.push_back(part);
   }
   return all;
 }
@@ -88,8 +99,8 @@ std::string name_of(const std::vector<std::size_t>& parts, std::size_t max, cons
 
 /// A name for each look that a solid's parts can have, even if this piece does not show it, so that all pieces of a
 /// fruit agree.
-std::vector<std::pair<PbrMaterial, std::string>> named_materials(const Solid& solid) {
-  const std::vector<PartsOfMaterial> all = parts_by_material(solid);
+std::vector<std::pair<PbrMaterial, std::string>> named_materials(const Solid& solid, LightInside light) {
+  const std::vector<PartsOfMaterial> all = parts_by_material(solid, light);
   std::size_t max_inside = 0, max_outside = 0;
   for (const PartsOfMaterial& of : all) {
     max_inside = std::max(max_inside, of.on_cut.size());
@@ -109,18 +120,16 @@ std::vector<std::pair<PbrMaterial, std::string>> named_materials(const Solid& so
 
 }  // namespace
 
-std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh) {
-  const auto names =
-      solid.look->materials.empty() ? std::vector<std::pair<PbrMaterial, std::string>>{} : named_materials(solid);
+std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh, LightInside light) {
+  const bool is_one = solid.look->materials.empty() && light == LightInside::left_out;
+  const auto names = is_one ? std::vector<std::pair<PbrMaterial, std::string>>{} : named_materials(solid, light);
   const auto name_of_material = [&](const PbrMaterial& look) {
     const auto at = std::find_if(names.begin(), names.end(), [&](const auto& named) { return named.first == look; });
     return at == names.end() ? std::string() : at->second;
   };
   std::vector<MaterialGroup> groups;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-    const PbrMaterial look = solid.look->materials.empty()
-                                 ? PbrMaterial{}
-                                 : look_of(material_of(solid, mesh.part[mesh.triangle[t].x]), mesh.cut_face[t] >= 0);
+    const PbrMaterial look = look_of_part(solid, mesh.part[mesh.triangle[t].x], mesh.cut_face[t] >= 0, light);
     auto group =
         std::find_if(groups.begin(), groups.end(), [&](const MaterialGroup& known) { return known.look == look; });
     if (group == groups.end()) group = groups.insert(groups.end(), MaterialGroup{look, name_of_material(look), {}, {}});

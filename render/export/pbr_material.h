@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "render/export/styled_mesh.h"
+#include "render/style/tissue_light.h"
 
 namespace pomona {
 
@@ -22,6 +23,8 @@ struct PbrMaterial {
   double sheen_roughness = 0;
   double transmission = 0;  ///< KHR_materials_diffuse_transmission
   std::array<double, 3> transmission_color{1, 1, 1};
+  double clearness = 0;  ///< KHR_materials_transmission: of light that goes straight through
+  TissueLight inside{};  ///< where it is asked for, see groups_by_material()
 
   auto operator<=>(const PbrMaterial&) const = default;
 };
@@ -30,7 +33,8 @@ struct PbrMaterial {
 PbrMaterial look_of(const MaterialSketch& material, bool on_cut_face);
 
 /// The triangles of a mesh with one material. Groups are in the order in which their materials first occur. There is
-/// one group if the solid's template has no materials.
+/// one group if the solid's template has no materials, or, where PbrMaterial::inside is told, one for each kind of
+/// tissue.
 struct MaterialGroup {
   PbrMaterial look;
   std::string name;                  ///< name of the part: "skin", "gel", "inside"; empty if all parts have this
@@ -38,6 +42,8 @@ struct MaterialGroup {
   std::vector<std::int32_t> face;    ///< indices of its triangles in the mesh, sorted
   std::vector<glm::uvec3> triangle;  ///< these triangles
 };
-std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh);
+enum class LightInside { left_out, told };
+std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh,
+                                              LightInside light = LightInside::left_out);
 
 }  // namespace pomona

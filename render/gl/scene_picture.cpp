@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "generator/base/error.h"
 #include "generator/base/free_memory.h"
@@ -21,6 +22,8 @@ namespace pomona {
 
 namespace {
 
+constexpr float juice_reach = 0.006f;  // metres: how far juice runs from what lies on the table
+constexpr double juicy = 1.2;          // how wet a part's cut faces are, from which on juice runs out of them
 constexpr int shadow_side = 2048, table_side = 1024;  // samples of the maps each way
 
 /// The nearest surface at each sample.
@@ -104,6 +107,15 @@ class ScenePainter {
   void bind_materials(const Program& program) const;
   void compose(const char* definition, GLenum depth_test);
   Image read_back();
+
+  /// The same definition, and one more where the style's light is a window's.
+  std::string in_its_light(const std::string& definition) const {
+    if (!style_.light.window) return definition;
+    return definition.empty() ? "WINDOW" : definition + "\n#define WINDOW";
+  }
+
+  /// How much juice there is to be seen: none on what is whole or dry.
+  float juice() const;
 
   /// The definition with which programs for texture detail are compiled.
   const char* detailed() const { return solids_.detail_styles() ? "DETAILED" : ""; }
@@ -241,10 +253,23 @@ glm::mat4 ScenePainter::to_unit_box(const glm::mat4& to_clip) const {
   return to_unit * to_clip * glm::inverse(camera_.view);
 }
 
+float ScenePainter::juice() const {
+  const auto is_juicy = [](const Solid& solid) {
+    for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+      if (solid.mesh.cut_face[t] < 0) continue;
+      if (material_of(solid, solid.mesh.part[solid.mesh.triangle[t].x]).wet >= juicy) return true;
+    }
+    return false;
+  };
+  const bool any = std::any_of(scene_.solids.begin(), scene_.solids.end(), is_juicy);
+  return any ? static_cast<float>(style_.juice) : 0;
+}
+
 void ScenePainter::look_for_light() {
   const glm::ivec2 size(options_.width, options_.height);
-  const Program program(gl_, "fullscreen.vert.glsl", "light.frag.glsl");
+  const Program program(gl_, "fullscreen.vert.glsl", "light.frag.glsl", in_its_light(""));
   program.use();
+  if (style_.light.window) program.set("juice_reach", juice() > 0 ? juice_reach : 0.0f);
   set_camera(program, targets_.opaque);
   program.set("camera_to_light", to_unit_box(light_.to_clip));
   program.set("reach", 0.16f * ball_.radius);
@@ -373,8 +398,9 @@ void ScenePainter::compose(const char* definition, GLenum depth_test) {
   const std::array<const GlTexture*, 1> colors{&targets_.picture};
   const GlFramebuffer target(gl_, colors, &targets_.paper);
   const GlTexture* const details = solids_.detail_styles();
-  const Program program(gl_, "fullscreen.vert.glsl", "compose.frag.glsl", definition);
+  const Program program(gl_, "fullscreen.vert.glsl", "compose.frag.glsl", in_its_light(definition));
   program.use();
+  if (style_.light.window) program.set("juice", juice());
   set_camera(program, targets_.opaque);
   program.set("albedo", 4);
   program.set("light", 5);

@@ -13,6 +13,9 @@ double pbr_roughness(const MaterialSketch& material, bool on_cut_face) {
   return pbr_dull + (material.roughness > 0.3 ? 0.57 * (material.roughness - 0.3) : -0.8 * smoothness);
 }
 
-double pbr_film(const MaterialSketch& material) { return std::min(0.8, 0.5 * std::max(0.0, material.wet - 1)); }
+double pbr_film(const MaterialSketch& material) {
+  if (material.coat) return *material.coat;
+  return std::min(0.8, 0.5 * std::max(0.0, material.wet - 1));
+}
 
 }  // namespace pomona

@@ -21,6 +21,11 @@ struct Relief {
 /// \param normal unit
 Relief relief_at(const Look& look, const Color& unmodulated, const LookPlace& place, const glm::dvec3& normal);
 
+/// The relief over a texel, whose side is the place's footprint: the mean slope and height, from its four corners. One
+/// place would make single texels of lines as narrow as a texel. Steep walls are flattened, as a film of juice rounds
+/// them: a texel holds one normal.
+Relief relief_over_texel(const Look& look, const Color& unmodulated, const LookPlace& place, const glm::dvec3& normal);
+
 /// The guide at a neighbouring place: the way to the skin and the layer change by as much as it lies nearer to the
 /// skin.
 DetailGuide guide_beside(const DetailGuide& guide, const glm::dvec3& step);

@@ -18,6 +18,7 @@ struct LightStyle {
   double strength = 1;      ///< strength of the light, times the usual
   double ambient = 1;       ///< light from all sides, times the usual
   double occlusion = 1;     ///< how much things block each other's light from all sides; 0 = not at all
+  bool window = false;      ///< light as through a window, as photographs have it (shaders/window.glsl)
 };
 
 /// Shadows.
@@ -64,6 +65,7 @@ struct Style {
   double saturation = 1;             ///< factor of painted colours' OKLab chroma
   double lightness = 0;              ///< added to painted colours, OKLab lightness
   double gloss = 1;                  ///< factor of the shine of skins
+  double juice = 0;                  ///< share of juice at the rims of wet parts and on the table, in a window's light
   LightStyle light;
   ShadowStyle shadow;
   std::optional<MarkStyle> marks;   ///< hatching or stipple in place of paint

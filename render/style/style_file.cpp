@@ -37,6 +37,7 @@ void read_paint(const TomlTable& table, Style& style) {
   style.lightness = table.get("lightness").number(style.lightness, {-0.5, 0.5});
   style.granulation = table.get("granulation").number(style.granulation, {0, 10});
   style.gloss = table.get("gloss").number(style.gloss, {0, 4});
+  style.juice = table.get("juice").number(style.juice, {0, 1});
 }
 
 LightStyle light_from(const TomlTable& table) {
@@ -47,6 +48,7 @@ LightStyle light_from(const TomlTable& table) {
   light.strength = table.get("strength").number(light.strength, {0, 3});
   light.ambient = table.get("ambient").number(light.ambient, {0, 3});
   light.occlusion = table.get("occlusion").number(light.occlusion, {0, 2});
+  light.window = table.get("window").boolean(light.window);
   return light;
 }
 

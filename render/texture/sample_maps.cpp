@@ -74,7 +74,7 @@ MapSample SampleMaps::at(const TexelSample& sample, const Color& plain) const {
   const glm::dvec3 place = solid_.mesh.place(sample.triangle, sample.weight);
   const glm::dvec3 normal = unit_of(glm::dvec3(at_weights(solid_.mesh.normal, v, sample.weight)));
   const bool cut = solid_.mesh.cut_face[sample.triangle] >= 0;
-  const Relief relief = relief_at(look_, plain, look_place(sample, place), normal);
+  const Relief relief = relief_over_texel(look_, plain, look_place(sample, place), normal);
   const RimPlace rim = cut ? faces_.at(sample.triangle, place) : RimPlace{};
   const bool lies_in_pit = cut || material_of(solid_, part(sample)).pit > 0;
   const PitPlace pit = lies_in_pit ? PitPlace{} : pits_.at(place, normal);

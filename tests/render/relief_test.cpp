@@ -266,6 +266,34 @@ TEST(ReliefOfDetails, SlopeIntegratesToHeight) {
   EXPECT_LT(min_open, 1.0);
 }
 
+TEST(ReliefOfDetails, OverATexelNeighboursPassIntoEachOther) {
+  // Walls a tenth of a texel wide: at places they are hit or missed, and single texels stand out.
+  DetailSketch walls = knobs(0.05);
+  walls.kind = DetailKind::cells;
+  walls.softness = 0;
+  walls.width = 0.05;
+  const Look look(NoiseStyle{}, {walls});
+  constexpr double texel = 0.03;
+  double jumps_at_places = 0, jumps_over_texels = 0, steepest = 0;
+  glm::dvec3 place_before(0), texel_before(0);
+  for (int i = 0; i < 2000; ++i) {
+    const LookPlace place{.position = glm::dvec3(i * texel, 0.1, 0.37 * i * texel),
+                          .footprint = texel,
+                          .face = DetailFace::skin,
+                          .guide = {.share = glm::vec4(1)}};
+    const glm::dvec3 at_place = relief_at(look, Color(0.5f), place, {0, 1, 0}).slope;
+    const glm::dvec3 over_texel = relief_over_texel(look, Color(0.5f), place, {0, 1, 0}).slope;
+    EXPECT_NEAR(over_texel.y, 0.0, 1e-12);
+    steepest = std::max(steepest, glm::length(over_texel));
+    jumps_at_places += glm::length(at_place - place_before),
+        jumps_over_texels += glm::length(over_texel - texel_before);
+    place_before = at_place, texel_before = over_texel;
+  }
+  EXPECT_GT(jumps_over_texels, 0);
+  EXPECT_LT(jumps_over_texels, 0.6 * jumps_at_places);
+  EXPECT_LT(steepest, 0.8);
+}
+
 TEST(ReliefOfDetails, LevelWhereNothingStandsOut) {
   const LookPlace place{
       .position = glm::dvec3(0.1, 0.2, 0.3), .face = DetailFace::skin, .guide = {.share = glm::vec4(1)}};

@@ -107,6 +107,8 @@ INSTANTIATE_TEST_SUITE_P(All, StyleMistake,
                                            Mistake{"[paper]\ngrain = -1\n", 5, 9, "must lie between"},
                                            Mistake{"[paper]\ngrain = nan\n", 5, 9, "grain"},
                                            Mistake{"[light]\nelevation = 0\n", 5, 13, "must lie between"},
+                                           Mistake{"[light]\nwindow = 1\n", 5, 10, "window"},
+                                           Mistake{"[paint]\njuice = 2\n", 5, 9, "must lie between"},
                                            Mistake{"[plate]\nletter_size = \"3mm\"\n", 5, 15, "must be a number"},
                                            Mistake{"paint = 3\n", 4, 9, "table"}, Mistake{"[paper\n", 4, 7, ""}));
 
@@ -132,6 +134,8 @@ TEST(StyleNamed, IsInkOrPlainOrAnErrorWithTheNearestName) {
   EXPECT_EQ(style_named("ink").outline_width, Style{}.outline_width);
   EXPECT_FALSE(style_named("plain").ink || style_named("plain").noise);
   EXPECT_TRUE(style_named("plate").plate.has_value());
+  EXPECT_TRUE(style_named("photo").noise && style_named("photo").light.window && style_named("photo").juice > 0);
+  EXPECT_FALSE(style_named("photo").ink);
   try {
     style_named("inc");
     FAIL();

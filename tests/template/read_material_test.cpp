@@ -42,7 +42,33 @@ translucency = { depth = "4mm", color = "#00ff00" }
   EXPECT_EQ(stone.translucency.depth, 0);
 }
 
+TEST(ReadMaterial, reads_what_light_does_inside) {
+  const std::vector<MaterialSketch> materials = plum_and(R"(
+[material.skin]
+coat = 0.4
+[material.flesh]
+tissue = "gel"
+transmission = 0.25
+subsurface = { radius = "3mm", tint = "#ff8000", weight = 0.7 }
+)")
+                                                    .materials;
+  ASSERT_EQ(materials.size(), 3u);
+  EXPECT_EQ(materials[0].coat, 0.4);
+  EXPECT_FALSE(materials[0].tissue || materials[0].subsurface || materials[0].transmission);
+  EXPECT_EQ(materials[1].tissue, Tissue::gel);
+  EXPECT_EQ(materials[1].transmission, 0.25);
+  ASSERT_TRUE(materials[1].subsurface);
+  EXPECT_NEAR(materials[1].subsurface->radius, 0.003, 1e-12);
+  EXPECT_EQ(materials[1].subsurface->tint.b, 0);
+  EXPECT_EQ(materials[1].subsurface->weight, 0.7);
+}
+
 const Mistake mistakes[] = {
+    {"[material.skin]\ntissue = \"bone\"\n", 2, 10, "bone"},
+    {"[material.skin]\nsubsurface = { tint = \"#ffffff\" }\n", 2, 14, "lacks \"radius\""},
+    {"[material.skin]\nsubsurface = { radius = \"1m\" }\n", 2, 25, "radius is 1m"},
+    {"[material.skin]\ntransmission = 2\n", 2, 16, "transmission is 2"},
+    {"[material.skin]\ncoat = -1\n", 2, 8, "coat is -1"},
     {"[material]\ngloss = 1\n", 2, 1, "unknown key \"gloss\""},
     {"[material]\nskin = 1\n", 2, 8, "must be a table"},
     {"[material.skim]\ngloss = 1\n", 1, 11, "unknown key \"skim\""},

@@ -35,6 +35,25 @@ Translucency read_translucency(const TomlTable& table) {
   return translucency;
 }
 
+Subsurface read_subsurface(const TomlTable& table) {
+  Subsurface subsurface;
+  subsurface.radius = table.need("radius").length(0, {0, 0.1});
+  subsurface.tint = table.get("tint").color(subsurface.tint);
+  subsurface.weight = table.get("weight").number(subsurface.weight, share);
+  return subsurface;
+}
+
+/// What renderers that follow light's paths ask.
+void read_light_inside(const TomlTable& table, MaterialSketch& material) {
+  if (table.has("tissue")) {
+    material.tissue = static_cast<Tissue>(
+        table.get("tissue").choice({"flesh", "gel", "pith", "skin", "leaf", "seed", "shell", "mineral"}));
+  }
+  if (table.has("subsurface")) material.subsurface = read_subsurface(table.get("subsurface").table());
+  if (table.has("transmission")) material.transmission = table.get("transmission").number(0, share);
+  if (table.has("coat")) material.coat = table.get("coat").number(0, share);
+}
+
 MaterialSketch read_material(const TomlTable& table) {
   MaterialSketch material;
   material.gloss = table.get("gloss").number(material.gloss, strength);
@@ -46,6 +65,7 @@ MaterialSketch read_material(const TomlTable& table) {
   if (table.has("bloom")) material.bloom = read_bloom(table.get("bloom").table());
   if (table.has("fuzz")) material.fuzz = read_fuzz(table.get("fuzz").table());
   if (table.has("translucency")) material.translucency = read_translucency(table.get("translucency").table());
+  read_light_inside(table, material);
   return material;
 }
 

@@ -52,6 +52,9 @@ int PieceMaterials::material(const Solid& solid, const MaterialGroup& group,
   if (!solid.closed) material["doubleSided"] = true;
   add_extensions(material, group.look);
   if (textures) add_maps(material, group.look, *textures);
+  if (group.look.inside.weight > 0) {
+    material["extras"]["subsurface"] = {{"weight", group.look.inside.weight}, {"radius", group.look.inside.radius}};
+  }
   const int index = document_.add("materials", std::move(material));
   known_[{name, solid.closed, solid.opacity, group.look, textures}] = index;
   return index;
@@ -71,6 +74,7 @@ void PieceMaterials::add_extensions(Json& material, const PbrMaterial& look) {
   if (look.sheen_roughness > 0) {
     add("KHR_materials_sheen", {{"sheenColorFactor", look.sheen}, {"sheenRoughnessFactor", look.sheen_roughness}});
   }
+  if (look.clearness > 0) add("KHR_materials_transmission", {{"transmissionFactor", look.clearness}});
   if (look.transmission > 0) {
     add("KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", look.transmission},
                                                {"diffuseTransmissionColorFactor", look.transmission_color}});

@@ -72,7 +72,8 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
     throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
   const Json attributes = add_vertices(document, styled, mesh.pivot);
   Json primitives = Json::array();
-  for (const MaterialGroup& group : groups_by_material(solid, styled)) {
+  for (const MaterialGroup& group :
+       groups_by_material(solid, styled, mesh.textures ? LightInside::told : LightInside::left_out)) {
     Json primitive = {{"attributes", attributes}};
     primitive["indices"] = add_triangles(document, group.triangle, styled.position.size());
     primitive["material"] = materials.material(solid, group, mesh.textures);

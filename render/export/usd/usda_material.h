@@ -32,7 +32,7 @@ class Looks {
   /// The name of the class for one of the solid's groups: "tomato_skin".
   std::string name_for(const Solid& solid, const MaterialGroup& group);
 
-  /// The class prims: UsdPreviewSurface, coloured by displayColor.
+  /// The class prims: UsdPreviewSurface, and OpenPBR for renderers that know MaterialX, coloured by displayColor.
   std::string text() const { return text_; }
 
  private:

@@ -39,7 +39,7 @@ std::string material_name(const std::string& look, const StyledLevel& level, std
 /// A subset for each look, bound to a material that lies beside the mesh.
 std::vector<Subset> subsets_by_material(const StyledLevel& level, std::size_t number, Looks& looks) {
   std::vector<Subset> subsets;
-  for (const MaterialGroup& group : groups_by_material(level.solid, level.mesh)) {
+  for (const MaterialGroup& group : groups_by_material(level.solid, level.mesh, LightInside::told)) {
     const std::string name = material_name(looks.name_for(level.solid, group), level, number);
     Subset subset{"materialBind", "look_" + name, "(\n    prepend apiSchemas = [\"MaterialBindingAPI\"]\n)", {}, {}};
     subset.binding = "    rel material:binding = <../../Looks/" + name + ">";
@@ -149,7 +149,7 @@ std::vector<std::string> append_looks(std::string& text, std::span<const StyledL
   append_line(text, 2, "{");
   for (std::size_t number = 0; number < levels.size(); ++number) {
     const StyledLevel& level = levels[number];
-    for (const MaterialGroup& group : groups_by_material(level.solid, level.mesh)) {
+    for (const MaterialGroup& group : groups_by_material(level.solid, level.mesh, LightInside::told)) {
       const std::string look = looks.name_for(level.solid, group), name = material_name(look, level, number);
       if (std::exchange(said[name], true)) continue;
       if (number == 0) own.push_back(name);

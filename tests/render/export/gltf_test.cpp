@@ -413,6 +413,27 @@ TEST(Gltf, SaysMaterialsInExtensionsThatNobodyMustKnow) {
   EXPECT_THAT(json_of(write_glb(named::mixed())), ::testing::Not(::testing::HasSubstr("extensions")));
 }
 
+TEST(Gltf, TellsLightUnderTheSurfaceBesideTexturesAlone) {
+  Scene scene = named::with_materials();
+  MaterialSketch& flesh = scene.solids[0].own_look().materials[1];
+  flesh.subsurface = Subsurface{.radius = 0.004, .tint = {1, 0.5f, 0.25f}, .weight = 0.7};
+  EXPECT_THAT(json_of(write_glb(scene)), testing::Not(testing::HasSubstr("subsurface")));
+  const Json textured =
+      parsed(write_glb(scene, std::vector{baked(scene.solids[0], style_named("plain"), {.texels = 64})}));
+  Json inside;
+  for (const Json& material : textured["materials"]) {
+    const Json& told = material["extras"]["subsurface"];
+    if (told["weight"] == 0.7) inside = told;
+  }
+  ASSERT_TRUE(inside.is_object());
+  EXPECT_NEAR(inside["radius"][0].get<double>(), 0.004, 1e-9);
+  EXPECT_NEAR(inside["radius"][1].get<double>(), 0.002, 1e-9);
+
+  // Light that goes straight through is an extension that files had no use for before.
+  flesh.transmission = 0.25;
+  EXPECT_THAT(json_of(write_glb(scene)), testing::HasSubstr("KHR_materials_transmission"));
+}
+
 TEST(Gltf, HasMapsInTheirSlotsWhereTheyWereBaked) {
   const Scene scene = named::with_materials();
   const auto written = [&](Maps maps) {

@@ -9,8 +9,10 @@
 
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
+#include "generator/order/order.h"
 #include "generator/scene/scene.h"
 #include "render/export/gltf/write_glb.h"
+#include "render/image/triangle_raster.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/section_picture.h"
 #include "render/style/style_file.h"
@@ -141,6 +143,66 @@ TEST(TexturedGlb, LooksLikeThePictureOfTheSection) {
 }
 
 TEST(TexturedGlb, HasTheInkOfThePicture) { EXPECT_LT(difference_in(style_named("ink")), 2.5) << "of 255, RMS"; }
+
+/// Of the texels on flat cut faces: how light they are, 0..1, and whether they lie within two texels of the face's rim.
+struct FaceTexels {
+  std::vector<double> at_rim;
+  double darkest_inside = 1;  ///< of the others
+};
+FaceTexels face_texels(const BakedSolid& baked) {
+  const int texels = baked.texture.width;
+  const auto number = [&](int x, int y) { return static_cast<std::size_t>(y) * texels + x; };
+  std::vector<char> on_face(number(0, baked.texture.height), 0);
+  for (std::size_t t = 0; t < baked.solid.mesh.triangle.size(); ++t) {
+    if (baked.solid.mesh.cut_face[t] < 0) continue;
+    const glm::uvec3& v = baked.solid.mesh.triangle[t];
+    const auto at = [&](std::uint32_t k) { return glm::dvec2(baked.uv[k]) * glm::dvec2(texels, baked.texture.height); };
+    TriangleRaster<double>(at(v.x), at(v.y), at(v.z))
+        .for_covered({0.5, 1, {0, 0, texels - 1, baked.texture.height - 1}},
+                     [&](int x, int y, const glm::dvec3&) { on_face[number(x, y)] = 1; });
+  }
+  FaceTexels found;
+  for (int y = 2; y < baked.texture.height - 2; ++y) {
+    for (int x = 2; x < texels - 2; ++x) {
+      int around = 0;
+      for (int k = 0; k < 25; ++k) around += on_face[number(x - 2 + k % 5, y - 2 + k / 5)];
+      if (around == 0) continue;
+      const Color color = from_srgb8(baked.texture.at(x, y));
+      const double light = 0.2126 * static_cast<double>(color.r) + 0.7152 * static_cast<double>(color.g) +
+                           0.0722 * static_cast<double>(color.b);
+      if (around < 25) {
+        found.at_rim.push_back(light);
+      } else {
+        found.darkest_inside = std::min(found.darkest_inside, light);
+      }
+    }
+  }
+  return found;
+}
+
+/// The share of texels along the rims that are darker than all that lies on either side of it.
+double dark_at_rim(const Style& style) {
+  Scene scene = Halves().pieces();
+  double darkest_skin = 1;
+  const Solid& half = scene.solids.front();
+  for (std::size_t t = 0; t < half.mesh.triangle.size(); ++t) {
+    const Color& color = half.mesh.color[half.mesh.triangle[t].x];
+    if (half.mesh.cut_face[t] >= 0) continue;
+    darkest_skin =
+        std::min(darkest_skin, 0.2126 * static_cast<double>(color.r) + 0.7152 * static_cast<double>(color.g) +
+                                   0.0722 * static_cast<double>(color.b));
+  }
+  const FaceTexels texels = face_texels(baked(half, style, {.texels = 256}));
+  EXPECT_GT(texels.at_rim.size(), 300u);
+  const double darkest = std::min(darkest_skin, texels.darkest_inside) - 2 / 255.;
+  const auto dark = std::count_if(texels.at_rim.begin(), texels.at_rim.end(), [&](double l) { return l < darkest; });
+  return static_cast<double>(dark) / static_cast<double>(texels.at_rim.size());
+}
+
+TEST(TexturedGlb, HasNoDarkLineAlongTheRimOfACutUnlessInkIsAskedFor) {
+  EXPECT_EQ(dark_at_rim(style_named(baked_style({}))), 0);
+  EXPECT_GT(dark_at_rim(style_named("ink")), 0.2) << "the measure sees a line";
+}
 
 TEST(TexturedGlb, HasThePaintOfThePicture) {
   Style style = style_named("plain");

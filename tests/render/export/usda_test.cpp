@@ -175,6 +175,21 @@ TEST(Usda, BracesEndWhereTheirLinesBegan) {
   EXPECT_GT(pairs, 10u);
 }
 
+TEST(Usda, TellsLightUnderTheSurfaceInOpenPbr) {
+  Scene scene = named::with_materials();
+  MaterialSketch& flesh = scene.solids[0].own_look().materials[1];
+  flesh.subsurface = Subsurface{.radius = 0.004, .tint = {1, 0.5f, 0.25f}, .weight = 0.7};
+  flesh.transmission = 0.25;
+  const std::string text = write_usda(scene);
+  EXPECT_EQ(occurrences(text, "ND_open_pbr_surface_surfaceshader"), occurrences(text, "\"UsdPreviewSurface\""));
+  EXPECT_EQ(occurrences(text, "outputs:mtlx:surface.connect = <light.outputs:out>"),
+            occurrences(text, "outputs:surface.connect = <surface.outputs:surface>"));
+  EXPECT_THAT(text, HasSubstr("subsurface_weight = 0.7\n"));
+  EXPECT_THAT(text, HasSubstr("subsurface_radius = 0.004\n"));
+  EXPECT_THAT(text, HasSubstr("subsurface_radius_scale = (1, 0.5, 0.25)\n"));
+  EXPECT_EQ(occurrences(text, "transmission_weight = 0.25\n"), 1u);
+}
+
 TEST(Usda, ShinyPartsAloneHaveAClearCoat) {
   Scene scene = named::with_materials();
   scene.solids[0].own_look().materials[1].wet = 0;
