@@ -5,15 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/program_place.h"
+
 namespace pomona {
-
-/// The running program's file; where /proc is not mounted (a bare chroot), by what it was started as.
-std::filesystem::path this_program();
-
-/// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates. Whether they are there
-/// is not looked at.
-/// \param kind "templates", "scenes" or "styles"
-std::vector<std::filesystem::path> program_folders(const std::string& kind);
 
 /// Those that are there, and after them a folder of that kind within the current one, and the current one itself.
 std::vector<std::filesystem::path> searched_folders(const std::string& kind);

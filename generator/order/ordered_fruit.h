@@ -34,6 +34,9 @@ OrderedFruit ordered_fruit(const Variation& variation, const std::string& name, 
 /// they do not have.
 OrderedFruit fruit_of_surfaces(const std::filesystem::path& file, const Order& order);
 
+/// The fruit, whose cut faces have lain in air for so long.
+OrderedFruit browned(OrderedFruit fruit, double browning);
+
 /// Cuts the fruit as ordered; without knives its whole bodies come out. The solids keep what coloured their cut faces
 /// where the order wants textures. What is wrong with the fruit is told of its file.
 /// \param diffuser null if cut faces are not visible: they keep the colours of their rims.
