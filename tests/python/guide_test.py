@@ -3,7 +3,9 @@
     guide_test.py SOURCE
 """
 
+import contextlib
 import importlib.util
+import io
 import json
 import os
 import pathlib
@@ -38,7 +40,8 @@ class Guide(unittest.TestCase):
             absent = [m for m in re.findall(r"^\s*(?:import|from) (\w+)", text, re.M) if importlib.util.find_spec(m) is None]
             if absent or "to_trimesh" in text and importlib.util.find_spec("trimesh") is None:
                 continue
-            exec(compile(text, f"{name}, program {number}", "exec"), known)
+            with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+                exec(compile(text, f"{name}, program {number}", "exec"), known)
         return known
 
     def files(self):
