@@ -1,7 +1,7 @@
 """Makes the wheel of the Python module, by the standard library alone: the same bytes for the same files.
 
     make_wheel.py PACKAGE SOURCE VERSION TAG FOLDER
-        PACKAGE   build/python/module: what `import` finds
+        PACKAGE   build-python/module: what `import` finds
         SOURCE    the source tree, whose templates, scenes and styles go with it
         TAG       "cp311-cp311-linux_x86_64"
 """
@@ -51,6 +51,7 @@ def main(package, source, version, tag, folder):
     files[f"{info}/WHEEL"] = WHEEL.format(tag=tag).encode()
     files[f"{info}/COPYING"] = (pathlib.Path(source) / "LICENSE").read_bytes()
     files[f"{info}/RECORD"] = record(files, f"{info}/RECORD").encode()
+    pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
     for old in pathlib.Path(folder).glob("pomona-*.whl"):
         old.unlink()
     with zipfile.ZipFile(pathlib.Path(folder) / f"pomona-{version}-{tag}.whl", "w", zipfile.ZIP_DEFLATED) as wheel:

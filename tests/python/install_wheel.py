@@ -1,6 +1,6 @@
 """Installs the wheel by pip, without an index, into an environment of its own: the other tests run what is there.
 
-    install_wheel.py BUILD FOLDER        BUILD: build/python
+    install_wheel.py WHEELS FOLDER        WHEELS: build/python
 """
 
 import pathlib
@@ -8,10 +8,10 @@ import shutil
 import subprocess
 import sys
 
-BUILD, FOLDER = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+WHEELS, FOLDER = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 
 shutil.rmtree(FOLDER, ignore_errors=True)
 subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", FOLDER], check=True)
-(wheel,) = BUILD.glob("pomona-*.whl")
+(wheel,) = WHEELS.glob("pomona-*.whl")
 pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--python", FOLDER / "bin/python"]
 subprocess.run([*pip, "install", "--quiet", "--no-index", wheel], check=True)
