@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures .npm build test test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures .npm build test python test-python test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -28,6 +28,16 @@ test: ## all tests that need nothing but Debian's libraries
 	cmake --preset test
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -j $(JOBS)
+
+python: ## the Python module, as a wheel in build/python; docs/guides/python.md
+	@scripts/setup.sh build python
+	@cmake --preset python >build-python.log 2>&1 || { cat build-python.log; exit 1; }; rm -f build-python.log
+	@cmake --build build-python --target pomona wheel pages -j $(JOBS)
+
+test-python: python ## the module's tests, on the wheel as it is installed; FULL=1 compares the bytes of every fruit, format and knife, too
+	@scripts/setup.sh test-python
+	ctest --test-dir build-python --output-on-failure
+	$(if $(FULL),cmake --build build-python --target python_bytes_full)
 
 # Other programs, and what runs in node or in a browser.
 .npm:
@@ -203,25 +213,20 @@ page-errors: ## how far the colours of pages are from the field's in C++, on thr
 gallery-page: build ## a gallery for the web: out/gallery/index.html, and a page for each fruit that cuts it
 	@scripts/gallery_page.py build/pomona out/gallery
 
-install: ## program, templates, scenes, manual page, completions, library: PREFIX=/usr/local DESTDIR=
-	@scripts/setup.sh build
-	@cmake --preset program >build.log 2>&1 || { cat build.log; exit 1; }; rm -f build.log
-	@cmake --build build --target pomona pages pomona_archive -j $(JOBS)
-	@DESTDIR="$(DESTDIR)" cmake --install build --prefix "$(or $(PREFIX),/usr/local)" >build/install.log || { cat build/install.log; exit 1; }
+install: python ## program, templates, scenes, manual page, completions, library, Python module: PREFIX=/usr/local DESTDIR=
+	@cmake --build build-python --target pomona_archive -j $(JOBS)
+	@DESTDIR="$(DESTDIR)" cmake --install build-python --prefix "$(or $(PREFIX),/usr/local)" >build-python/install.log || { cat build-python/install.log; exit 1; }
 	@echo "installed into $(DESTDIR)$(or $(PREFIX),/usr/local)"
 
-package: build ## the program as build/package/pomona_*.deb
-	@scripts/setup.sh build package
-	@cmake --build build --target pages -j $(JOBS)
-	@cd build && cpack
+package: python ## the program and the Python module as build/package/pomona_*.deb
+	@scripts/setup.sh package
+	@cd build-python && cpack -B $(CURDIR)/build/package
 
-test-package: ## installs the .deb in a bare Debian 12 in a folder, and runs the README's commands there; needs root
+test-package: package ## installs the .deb in a bare Debian 12 in a folder, and runs the README's commands there; needs root
 	@scripts/setup.sh build test package
 	cmake --preset test-programs
-	cmake --build build --target pomona pages -j $(JOBS)
-	cd build && cpack
 	rm -rf --one-file-system build/tests/programs/clean_root # the Debian of the run before
 	ctest --test-dir build --output-on-failure -L package
 
 clean: ## removes what was built, keeps out/
-	rm -rf build build-sanitize build-clang build-fuzz
+	rm -rf build build-python build-sanitize build-clang build-fuzz

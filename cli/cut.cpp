@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,13 +16,14 @@
 #include "cli/options/find_style.h"
 #include "cli/options/open_fruit.h"
 #include "cli/options/order_options.h"
-#include "cli/seed_row.h"
+#include "cli/options/written_formats.h"
 #include "generator/knife/knife_kinds.h"
 #include "render/deliver/deliver.h"
+#include "render/deliver/fruit_files.h"
 #include "render/deliver/live_files.h"
 #include "render/deliver/ordered_diffuser.h"
-#include "render/deliver/piece_files.h"
 #include "render/deliver/section_files.h"
+#include "render/deliver/seed_row.h"
 
 namespace pomona {
 
@@ -34,13 +34,6 @@ struct CutCommand {
   TypedOrder typed;
   Telling telling;
 };
-
-/// A bare section has no solid for files of meshes.
-std::vector<Format> formats_for(const TypedOrder& typed) {
-  if (!typed.texts_of("section").empty()) return {Format::ply, Format::png, Format::svg};
-  return {Format::ply, Format::glb, Format::usda, Format::obj,  Format::stl,
-          Format::pov, Format::png, Format::svg,  Format::html, Format::pomona};
-}
 
 void count(const Slices& slices, StageTimes& times) {
   const CrossSection& section = slices.section;
@@ -84,18 +77,15 @@ void cut_one(const std::string& word, const Order& order, const DeliverOptions& 
   Slices slices = cut_up(fruit, order, diffuser, report);
   count(slices, report.times);
   if (order.cut.section) return report.add(section_files(slices, fruit.fruit, order, how));
-  StageClock times;
-  const std::vector<RipenessVariant> variants =
-      ripeness_variants(slices.pieces, fruit, opened.drawn, order, &diffuser, times);
-  report.times.add(times);
   Scene pieces = gathered(std::move(slices.pieces));
   pieces.paper = how.style.paper;
-  report.add(piece_files({.placed = pieces, .variants = variants}, fruit, order, how));
+  report.add(cut_fruit_files(pieces, fruit, opened.drawn, diffuser, order, how));
 }
 
 ExitStatus cut_fruit(const CutCommand& command) {
-  // Checks all options before the work begins.
-  const Order order = read_order(command.typed, formats_for(command.typed));
+  // Everything that can be wrong with the words is told before the work begins.
+  const Order order = read_order(
+      command.typed, command.typed.texts_of("section").empty() ? formats_of(OrderTaker::cut) : section_formats());
   check_order(order, OrderTaker::cut, command.telling);
   CommandReport report(command.telling);
   const DeliverOptions how{.style = find_style(drawn_style(order.color)),

@@ -1,9 +1,6 @@
 // pomona grow: one whole fruit, or several seeds of it side by side.
-#include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -15,18 +12,13 @@
 #include "cli/options/find_style.h"
 #include "cli/options/open_fruit.h"
 #include "cli/options/order_options.h"
-#include "cli/seed_row.h"
-#include "generator/piece/glass_surfaces.h"
-#include "generator/scene/stand.h"
-#include "render/deliver/deliver.h"
-#include "render/deliver/live_files.h"
+#include "cli/options/written_formats.h"
+#include "render/deliver/fruit_files.h"
+#include "render/deliver/seed_row.h"
 
 namespace pomona {
 
 namespace {
-
-const std::vector<Format> grow_formats = {Format::ply, Format::glb, Format::usda, Format::obj,  Format::stl,
-                                          Format::pov, Format::png, Format::svg,  Format::html, Format::pomona};
 
 struct GrowCommand {
   std::string fruit;
@@ -34,62 +26,25 @@ struct GrowCommand {
   Telling telling;
 };
 
-/// The shells of the fruit with its cavity walls, or all its surfaces as glass.
-std::vector<Solid> whole_fruit(const OrderedFruit& fruit, const Order& order, CommandReport& report) {
-  if (order.mesh.surfaces) return glass_surfaces(fruit.grown, fruit.fruit, fruit.name);
-  Slices whole = cut_to_order(fruit, order, nullptr);
-  report.times.add(whole.times);
-  report.warn(whole.warnings);
-  return std::move(whole.pieces);
-}
-
-/// One whole fruit of each seed, side by side; on a page all are cut by the same knives.
+/// One whole fruit of each seed.
 void grow_family(const std::string& word, const Order& order, const DeliverOptions& how, CommandReport& report) {
   std::vector<OrderedFruit> family;
   for (const Order& one : each_seed(order)) {
     family.push_back(open_fruit(word, one).grown);
     report.add(family.back());
   }
-  report.add(live_files(family, order, how));
-  if (all_are(order.outputs, live_formats)) return;
-  std::vector<Solid> solids;
-  for (const OrderedFruit& fruit : family) {
-    std::vector<Solid> own = named_by_seed(whole_fruit(fruit, order, report), fruit.origin.key.seed);
-    solids.insert(solids.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
-  }
-  report.add(files({.placed = row_of(std::move(solids), how.style)}, order, how));
+  report.add(family_files(family, order, how));
 }
 
-/// The drawn surfaces go out as they are; all other outputs share one scene of the whole fruit.
 void grow_one(const std::string& word, const Order& order, const DeliverOptions& how, CommandReport& report) {
   const NamedFruit opened = open_fruit(word, order);
-  const OrderedFruit& fruit = opened.grown;
-  report.add(fruit);
-  report.add(live_files({&fruit, 1}, order, how));
-  report.add(surface_files(fruit, order));
-  const Order rest = without(order, {Format::ply, Format::html, Format::pomona});
-  if (rest.outputs.empty()) return;
-
-  // In a picture it stands on the table, unless it is glass.
-  Scene scene = gathered(whole_fruit(fruit, order, report));
-  scene.paper = how.style.paper;
-  std::optional<Scene> shown;
-  if (any_is(rest.outputs, picture_formats) && !order.mesh.surfaces) shown = standing(scene);
-  StageClock times;
-  const std::vector<RipenessVariant> variants =
-      ripeness_variants(scene.solids, fruit, opened.drawn, order, nullptr, times);
-  report.times.add(times);
-  report.add(files({.placed = scene,
-                    .shown = shown ? &*shown : nullptr,
-                    .variants = variants,
-                    .plate_text = PlateText{fruit.fruit.title, fruit.fruit.latin},
-                    .fruit = &fruit},
-                   rest, how));
+  report.add(opened.grown);
+  report.add(whole_fruit_files(opened.grown, opened.drawn, order, how));
 }
 
 ExitStatus grow_fruit(const GrowCommand& command) {
-  // Refuses impossible outputs before anything is grown.
-  const Order order = read_order(command.typed, grow_formats);
+  // Outputs that cannot be are refused before anything is grown.
+  const Order order = read_order(command.typed, formats_of(OrderTaker::grow));
   check_order(order, OrderTaker::grow, command.telling);
   CommandReport report(command.telling);
   report.warn(idle_options(order, OrderTaker::grow));

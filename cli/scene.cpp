@@ -15,6 +15,8 @@
 #include "cli/options/find_template.h"
 #include "cli/options/order_options.h"
 #include "cli/options/program_folders.h"
+#include "cli/options/scene_order.h"
+#include "cli/options/written_formats.h"
 #include "generator/scene/compose.h"
 #include "generator/scene/scene_file.h"
 #include "render/deliver/deliver.h"
@@ -25,36 +27,11 @@ namespace pomona {
 
 namespace {
 
-const std::vector<Format> scene_formats = {Format::ply, Format::glb, Format::usda, Format::obj,  Format::stl,
-                                           Format::pov, Format::png, Format::svg,  Format::json, Format::html};
-
 struct SceneCommand {
   std::string scene;
   TypedOrder typed;
   Telling telling;
 };
-
-ComposeOptions compose_options(const Order& order, const DeliveryProgress& progress) {
-  ComposeOptions options;
-  options.find_template = find_template;
-  options.variation = order.fruit.growing.variation;
-  options.curves_only = order.fruit.growing.curves_only;
-  options.detail = order.fruit.growing.detail;
-  options.threads = order.threads;
-  options.keep_section_colors = wants_textures(order.mesh);
-  options.progress = progress;
-  return options;
-}
-
-/// Takes seed and style from the scene, unless the order says them; the style's path starts at the scene's folder.
-Order completed(Order order, const SceneDescription& scene) {
-  if (!order.fruit.seed) order.fruit.seed = scene.seed;
-  if (order.color.style.empty() && !scene.style.empty()) {
-    const std::filesystem::path folder = std::filesystem::path(scene.file).parent_path();
-    order.color.style = scene.style.ends_with(".toml") ? (folder / scene.style).string() : scene.style;
-  }
-  return order;
-}
 
 /// Adds the measurements to --stats.
 void tell(const ComposeReport& composed, CommandReport& report) {
@@ -64,8 +41,8 @@ void tell(const ComposeReport& composed, CommandReport& report) {
 }
 
 ExitStatus compose_scene(const SceneCommand& command) {
-  // Refuses impossible outputs before anything is composed.
-  const Order typed = read_order(command.typed, scene_formats);
+  // Outputs that cannot be are refused before anything is composed.
+  const Order typed = read_order(command.typed, formats_of(OrderTaker::scene));
   check_order(typed, OrderTaker::scene, command.telling);
   CommandReport report(command.telling);
   report.warn(idle_options(typed, OrderTaker::scene));

@@ -105,4 +105,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # OpenGL is looked for when the program runs: one that works anywhere, and the way to graphics cards.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libosmesa6)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri")
+if(POMONA_PYTHON)
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-numpy")
+endif()
 include(CPack)

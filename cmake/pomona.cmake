@@ -14,6 +14,14 @@ if(POMONA_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+# A shared library holds the Python module. Nothing of it can be replaced from outside, so the compiler may inline as in
+# a program.
+if(POMONA_PYTHON)
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+  set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+  set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+endif()
+
 if(POMONA_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()

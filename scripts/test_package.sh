@@ -32,6 +32,12 @@ for file in $(echo "$commands" | sed -n 's/.* -o //p'); do
   [ -s "$root/made/$file" ] || { echo "test_package: error: $file was not made" >&2; exit 1; }
   ls -l "$root/made/$file" | awk '{ print $5, $9 }'
 done
+
+# Its Python, with what the package recommends for it.
+sed -n '/^```python$/,/^```$/ { /^```/d; p }' "$here/../README.md" >"$root/made/wedges.py"
+inside apt-get -qq install -y --no-install-recommends python3-numpy >>"$root.log" 2>&1
+inside sh -euc 'cd /made; rm wedges.glb; python3 wedges.py' >>"$root.log"
+[ -s "$root/made/wedges.glb" ] || { echo "test_package: error: Python has not made wedges.glb" >&2; exit 1; }
 inside test -s /usr/share/man/man1/pomona.1 # minbase keeps manual pages
 inside apt-get -qq remove -y pomona >>"$root.log" 2>&1
 if inside test -e /usr/share/pomona; then echo "test_package: error: removing it leaves /usr/share/pomona" >&2; exit 1; fi

@@ -31,13 +31,6 @@ std::string source_of(const BatchPlan& plan, const BatchVariant& which) {
   return number < wanted.size() ? source_word(wanted[number].name) : plan.templates[which.fruit].name;
 }
 
-/// The fruit, whose cut faces have lain in air for so long.
-OrderedFruit browned(OrderedFruit fruit, double browning) {
-  fruit.fruit.individual.browning = browning;
-  fruit.origin.growing.browning = browning;
-  return fruit;
-}
-
 /// A thumbnail shows the pieces elsewhere; their meshes are the same, but for a peel that hangs.
 std::string thumbnail(const Scene& scene, const std::vector<StyledMesh>& meshes, const AssetOptions& assets,
                       const ExportOptions& options) {

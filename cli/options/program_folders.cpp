@@ -1,7 +1,5 @@
 #include "cli/options/program_folders.h"
 
-#include <sys/auxv.h>
-
 #include <map>
 
 #include "generator/base/error.h"
@@ -30,19 +28,6 @@ bool is_path(const std::string& text) {
 }
 
 }  // namespace
-
-fs::path this_program() {
-  std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  if (!failed) return program;
-  const auto* started_as = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
-  return started_as != nullptr ? fs::weakly_canonical(started_as, failed) : fs::path();
-}
-
-std::vector<fs::path> program_folders(const std::string& kind) {
-  const fs::path root = this_program().parent_path().parent_path();
-  return {root / kind, root / "share" / "pomona" / kind};
-}
 
 std::vector<fs::path> searched_folders(const std::string& kind) {
   std::vector<fs::path> folders;

@@ -5,16 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/program_place.h"
+
 namespace pomona {
 
-/// The running program's file; without /proc (in a bare chroot), from its own name.
-std::filesystem::path this_program();
-
-/// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates. They need not exist.
-/// \param kind "templates", "scenes" or "styles"
-std::vector<std::filesystem::path> program_folders(const std::string& kind);
-
-/// Those that exist, then a folder of that kind in the current one, then the current one.
+/// Those that are there, and after them a folder of that kind within the current one, and the current one itself.
 std::vector<std::filesystem::path> searched_folders(const std::string& kind);
 
 /// A hint if nothing of that kind is found: "looked in A, B and C".

@@ -81,7 +81,8 @@ The OpenGL to use: device, surfaceless or osmesa. Unless said, the first that wo
 .B NO_COLOR
 If set, errors are not coloured.
 .SH SEE ALSO
-The documents under share/doc/pomona/docs: reference/commands.md says more of every option, and lists the exit statuses.
+The documents under share/doc/pomona/docs: reference/commands.md says more of every option, and lists the exit statuses;
+guides/python.md tells how Python does the same.
 )";
 
 }  // namespace

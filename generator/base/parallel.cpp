@@ -19,6 +19,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "generator/base/stopping.h"
+
 namespace pomona {
 
 namespace {
@@ -88,7 +90,10 @@ void parallel_for(std::size_t count, Threads threads, const std::function<void(s
   const int wanted = std::min(resolved(threads), max_threads);
   const int width = wanted == 1 || count < 2 ? 1 : threads_had(wanted);
   if (width == 1) {
-    for (std::size_t i = 0; i < count; ++i) body(i);
+    for (std::size_t i = 0; i < count; ++i) {
+      end_if_stopped();
+      body(i);
+    }
     return;
   }
 
@@ -97,10 +102,13 @@ void parallel_for(std::size_t count, Threads threads, const std::function<void(s
   std::size_t failed = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure;
   std::atomic<std::size_t> next = 0;
+  const std::atomic<bool>* const stop = heeded_stop();
   among_threads(width, [&] {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t) {
       const std::size_t i = next++;
       try {
+        const HeededStop heeded(stop);
+        end_if_stopped();
         body(i);
       } catch (...) {
         const std::lock_guard lock(mutex);

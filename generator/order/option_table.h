@@ -24,6 +24,9 @@ enum class OptionNeed {
   ground_truth,  ///< --aov
 };
 
+/// The step of the road that needs an option first: who takes the steps one by one gives it there, or before.
+enum class OrderStep { grow, cut, write };
+
 struct OrderOption {
   std::string name;  ///< "ripeness-variants": --ripeness-variants, ripeness_variants in files
   OptionValue value;
@@ -36,6 +39,7 @@ struct OrderOption {
   OptionNeed need = OptionNeed::nothing;
   std::string excludes = {};  ///< another option that cannot be given with it
   bool makes_piece = false;   ///< whether the command that makes a piece again repeats it
+  OrderStep step = OrderStep::write;
 };
 
 /// All options, in the order in which commands list them.

@@ -60,6 +60,12 @@ OrderedFruit fruit_of_surfaces(const std::filesystem::path& file, const Order& o
   return ordered;
 }
 
+OrderedFruit browned(OrderedFruit fruit, double browning) {
+  fruit.fruit.individual.browning = browning;
+  fruit.origin.growing.browning = browning;
+  return fruit;
+}
+
 Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser) {
   const CutOrder& cut = order.cut;
   SliceTask task{.grown = fruit.grown,

@@ -35,6 +35,9 @@ OrderedFruit ordered_fruit(const Variation& variation, const std::string& name, 
 /// \throws Error (usage) if the order asks for folds, ripeness or browning, which it does not have.
 OrderedFruit fruit_of_surfaces(const std::filesystem::path& file, const Order& order);
 
+/// The fruit, whose cut faces have lain in air for so long.
+OrderedFruit browned(OrderedFruit fruit, double browning);
+
 /// Cuts the fruit as ordered; without knives its whole bodies come out. The solids keep what coloured their cut faces
 /// where the order wants textures. Errors name the fruit's file.
 /// \param diffuser null if cut faces are not visible: they keep the colours of their rims.

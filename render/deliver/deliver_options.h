@@ -1,6 +1,7 @@
 // Options and input of a delivery.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,10 +14,19 @@
 #include "render/deliver/ripeness_variants.h"
 #include "render/deliver/streamed_glb.h"
 #include "render/export/styled_mesh.h"
+#include "render/image/image.h"
 #include "render/plate/plate.h"
 #include "render/style/style.h"
+#include "render/truth/layers.h"
 
 namespace pomona {
+
+/// What each pixel of a picture shows.
+struct SeenTruth {
+  TruthNaming names;
+  TruthLayers layers;
+  std::vector<std::string> instances;  ///< their names, from number 1 on
+};
 
 /// How files are made, besides the order.
 struct DeliverOptions {
@@ -25,6 +35,10 @@ struct DeliverOptions {
   Provenance provenance = {};
   PictureSize usual_size = {960, 720};  ///< size of pictures without one in the order, and of lines in .pov
   DeliveryProgress progress = {};
+
+  // For those who want no file: they take what a .png would hold, and no bytes of it are made.
+  std::function<void(Image picture)> take_picture = {};
+  std::function<void(SeenTruth truth)> take_truth = {};  ///< in place of the picture; a section has none
 };
 
 /// One scene for all formats. All that it refers to must outlive the call it is passed to.

@@ -76,6 +76,14 @@ Delivered truth_files(const Output& picture, const Framed& framed, const Order& 
   return delivered;
 }
 
+SeenTruth seen_truth(const Framed& framed, Threads threads) {
+  check_opaque(framed.scene);
+  SeenTruth truth{.names = truth_naming(framed.scene), .layers = {}, .instances = {}};
+  truth.layers = truth_layers(framed.scene, truth.names, framed.size.width, framed.size.height, threads);
+  for (const Instance& instance : framed.scene.instances) truth.instances.push_back(instance.name);
+  return truth;
+}
+
 /// Hatching or stipple, if the style draws tones by marks; they follow OpenGL's picture.
 SvgMarks marks_on(const Framed& framed, const Style& style, Threads threads) {
   if (!style.marks) return {};
@@ -91,9 +99,17 @@ SvgMarks marks_on(const Framed& framed, const Style& style, Threads threads) {
 Delivered png_files(const Output& output, const SceneViews& scene, const Order& order, const DeliverOptions& how) {
   const Framed shown = framed(scene, order, how);
   Delivered delivered;
+  if (how.take_truth) {
+    how.take_truth(delivered.times.time("truth", [&] { return seen_truth(shown, order.threads); }));
+    return delivered;
+  }
   Image image = delivered.times.time("style", [&] { return painted(shown, how.style, order.threads); });
   draw(shown.plate, image);
   image.dpi = order.picture.dpi;
+  if (how.take_picture) {
+    how.take_picture(std::move(image));
+    return delivered;
+  }
   delivered.add(output.file, [&] { return write_png(image); });
   if (!order.picture.aov.empty()) delivered.add(truth_files(output, shown, order, how));
   return delivered;

@@ -1,5 +1,7 @@
 #include "render/deliver/section_files.h"
 
+#include <utility>
+
 #include "generator/cut/section/section_file.h"
 #include "render/deliver/outside_parts.h"
 #include "render/export/svg.h"
@@ -29,6 +31,10 @@ Delivered section_files(const Slices& slices, const Template& fruit, const Order
       Image image = delivered.times.time(
           "style", [&] { return draw_section(slices.styled, look, fruit.ink, how.style, options); });
       image.dpi = order.picture.dpi;
+      if (how.take_picture) {
+        how.take_picture(std::move(image));
+        continue;
+      }
       delivered.add(output.file, [&] { return write_png(image); });
     }
   }

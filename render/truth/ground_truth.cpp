@@ -192,9 +192,13 @@ TruthFile exr_file(const Scene& scene, const TruthNaming& names, const TruthLaye
 
 }  // namespace
 
-std::vector<TruthFile> ground_truth(const Scene& scene, const TruthOptions& options) {
+void check_opaque(const Scene& scene) {
   if (std::any_of(scene.solids.begin(), scene.solids.end(), [](const Solid& s) { return s.opacity < 1; }))
     throw Error(ExitStatus::usage, "--aov: what one sees through has no one surface at a pixel");
+}
+
+std::vector<TruthFile> ground_truth(const Scene& scene, const TruthOptions& options) {
+  check_opaque(scene);
   const TruthNaming names = truth_naming(scene);
   const TruthLayers layers = truth_layers(scene, names, options.width, options.height, options.threads);
   const std::vector<Mask> amodal = amodal_masks(scene, options.width, options.height, options.threads);

@@ -25,10 +25,12 @@ struct TruthFile {
   std::string bytes;
 };
 
-/// Layers of the scene as its view sees it, and annotations.json: docs/reference/formats.md, "Ground truth". Threads
-/// change nothing.
-/// \throws Error (usage) for more instances than numbers have bits for, and for transparent solids, because a pixel
-/// then shows several surfaces.
+/// \throws Error (usage) for what one sees through: behind glass no one surface is what a pixel shows.
+void check_opaque(const Scene& scene);
+
+/// Layers of the scene as its view sees it, and annotations.json: docs/reference/formats.md, "Ground truth".
+/// Threads change nothing.
+/// \throws Error (usage) for more instances than numbers have bits for, and as check_opaque().
 std::vector<TruthFile> ground_truth(const Scene& scene, const TruthOptions& options);
 
 }  // namespace pomona

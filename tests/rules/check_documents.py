@@ -18,7 +18,7 @@ HEADING = re.compile(r"#+ +(.*)")
 # Lists, quotes and what stands before a link: what is left is one word.
 UNBREAKABLE = re.compile(r"\s*(?:[-*>]|\d+\.)?\s*\S+\s*")
 # A file named by its path from the root: `generator/cut/cut.h`.
-TOPS = ("bench", "cli", "cmake", "docs", "generator", "render", "scenes", "scripts", "shaders", "styles", "templates", "tests")
+TOPS = ("bench", "cli", "cmake", "docs", "generator", "python", "render", "scenes", "scripts", "shaders", "styles", "templates", "tests")
 NAMED = re.compile(rf"`((?:{'|'.join(TOPS)})/[\w./-]+\.\w+)`")
 TELLS_THE_PAST = ("CHANGELOG.md",)  # what it names may be gone
 TABLE_OR_PICTURE = re.compile(r"\s*(?:\||!\[|\[?<img|\[!\[|<!--)")

@@ -61,6 +61,7 @@ ROAD = [
     "render/page",
     "render/deliver",
     "cli",
+    "python",
 ]
 
 # Each heavy package, the headers it is known by, and the only places that may know it. None may be a header.
@@ -84,9 +85,10 @@ HEAVY = {
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
     "Nettle": (r"nettle/", r"generator/base/(sha256|base64)\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),
+    "pybind11": (r"pybind11/", r"python/binding/python\.h"),
     "CLI11": (r"CLI/", r"((tests/)?cli|tests/order|bench)/(\w+/)?\w+\.(cpp|h)"),
 }
-HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
+HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway", "pybind11"}
 
 # Folders whose values end up in files that must be the same on every machine.
 REPRODUCIBLE = ("generator/", "render/style/", "render/marks/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/", "render/deliver/", "render/texture/",
@@ -136,7 +138,7 @@ def check_includes(root, name, text):
         if kind == '"':
             yield from ((number, why) for why in wrong_with_own_include(root, name, target))
         else:
-            if (root / target).is_file() and target.split("/")[0] in ("generator", "render", "cli", "tests"):
+            if (root / target).is_file() and target.split("/")[0] in ("generator", "render", "cli", "python", "tests"):
                 yield number, f'own header <{target}> is included with "..."'
             yield from ((number, why) for why in wrong_with_package(name, target))
 
@@ -295,19 +297,19 @@ def check(root):
     """All that is wrong below `root`, as "file:line: what"."""
     root = pathlib.Path(root)
     wrong, product = [], {}
-    files = [p for top in ("generator", "render", "cli", "tests", "bench") for p in (root / top).rglob("*")]
+    files = [p for top in ("generator", "render", "cli", "python", "tests", "bench") for p in (root / top).rglob("*")]
     for path in sorted(p for p in files if p.suffix in (".h", ".cpp", ".hpp", ".cc", ".cxx", ".in")):
         name = path.relative_to(root).as_posix()
         text = path.read_text(encoding="utf-8")
         found = [*check_file(name, text), *check_includes(root, name, text), *check_words(name, text), *check_json(name, text)]
         wrong += [f"{name}:{number}: {why}" for number, why in sorted(found)]
-        if name.startswith(("generator/", "render/", "cli/")):
+        if name.startswith(("generator/", "render/", "cli/", "python/")):
             product[name] = text
     return wrong + [*check_type_names(product), *check_circles(product), *check_scripts(root)]
 
 
 # Below these every folder that holds sources has a README of its own; tests and benches have one each for the whole.
-EXPLAINED = ("generator", "render", "cli")
+EXPLAINED = ("generator", "render", "cli", "python")
 EXPLAINED_AS_A_WHOLE = ("tests", "bench")
 MAY_BE_EXPLAINED = ("shaders", "scripts", "scenes", "styles")
 

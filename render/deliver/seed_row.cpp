@@ -1,4 +1,4 @@
-#include "cli/seed_row.h"
+#include "render/deliver/seed_row.h"
 
 #include <string>
 #include <utility>
