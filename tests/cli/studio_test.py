@@ -196,7 +196,9 @@ class Edits(WithAFruit):
         edit = self.wider(studio)
         studio.json("/api/change", edit)
         seen = studio.json("/api/state")["version"]
-        status, asset = studio.ask("/api/asset", {"toml": edit["toml"], "svg": edit["svg"], "seed": 3, "ripeness": 0.5, "final": True})
+        texts = {"toml": edit["toml"], "svg": edit["svg"]}
+        studio.ask("/api/section", {**texts, "seed": 9, "ripeness": 1.5, "final": True, "size": 32})  # another of these texts
+        status, asset = studio.ask("/api/asset", {**texts, "seed": 3, "ripeness": 0.5, "final": True})
         self.assertEqual(status, 200)
         studio.json("/api/save", {"seen": seen})
         self.assertEqual((self.folder / "cherry.svg").read_text(), edit["svg"])
@@ -220,6 +222,7 @@ class Edits(WithAFruit):
         again = self.studio()
         document = again.json("/api/document")
         self.assertTrue(document["recovered"] and document["unsaved"])
+        self.assertFalse(document["changed_outside"], "no other program has changed anything")
         self.assertEqual(document["svg"], edit["svg"])
         self.assertNotEqual((self.folder / "cherry.svg").read_text(), edit["svg"])
         again.json("/api/revert", {"seen": document["version"]})
