@@ -66,6 +66,10 @@ class Strangers(WithAFruit):
     def test_no_other_origin_and_no_other_name_of_this_machine(self):
         for origin in ("http://evil.example", "null", "http://127.0.0.1:1", "http://localhost:" + str(self.server.port)):
             self.refused(403, "/api/document", headers={"Origin": origin})
+        with socket.create_connection(("127.0.0.1", self.server.port), timeout=10) as wire:
+            wire.sendall(f"GET /api/document HTTP/1.1\r\nHost: {self.host}\r\nX-Pomona-Token: {self.server.token}\r\n"
+                         f"Origin: http://{self.host}\r\nOrigin: http://evil.example\r\n\r\n".encode())
+            self.assertIn(b" 403 ", wire.recv(4096))
         for host in ("evil.example", "localhost:" + str(self.server.port), "127.0.0.1", "127.0.0.1:1"):
             self.refused(421, "/api/document", headers={"Host": host})
         self.assertEqual(self.server.ask("/api/document", headers={"Origin": "http://" + self.host})[0], 200)
@@ -87,7 +91,9 @@ class Strangers(WithAFruit):
     def test_other_methods_kinds_and_lengths_of_bodies(self):
         self.refused(405, "/api/save", method="PUT", body=b"{}")
         self.refused(405, "/api/document", method="DELETE")
-        self.refused(415, "/api/save", body=b"{}", headers={"Content-Type": "text/plain"})
+        for kind in ("text/plain", "application/jsonfoo", "application/json, text/plain"):
+            self.refused(415, "/api/save", body=b"{}", headers={"Content-Type": kind})
+        self.refused(400, "/api/save", body=b"[1]", headers={"Content-Type": "application/json; charset=utf-8"})
         self.refused(411, "/api/save", body=b"{}", headers={"Content-Encoding": "gzip"})
         self.refused(400, "/api/save", body=b"[1]")
         self.refused(400, "/api/section", body={"toml": "", "svg": "", "size": 1e9})
