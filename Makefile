@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures .npm build test python test-python test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures .npm build test python test-python test-programs golden-renew golden-mutants mutants semantic-faults verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -64,6 +64,17 @@ mutants: ## changes the generator by itself, 460 faults, and asks the tests that
 	nice -n 19 scripts/mutants.py map $(and $(COUNT),--count $(COUNT))
 	nice -n 19 scripts/mutants.py show $(and $(COUNT),--count $(COUNT)) $(and $(ONLY),--only $(ONLY)) $(and $(SECONDS),--seconds $(SECONDS))
 	scripts/mutants.py report $(and $(COUNT),--count $(COUNT))
+
+# The faults go into a copy of what git has.
+FAULTY := build/semantic_faults
+semantic-faults: .npm ## seeds 45 faults of meaning (and a reviewer's) into a copy, one build, and asks the tests: docs/reports/semantic_faults.md; half an hour
+	@scripts/setup.sh build test programs
+	rm -rf $(FAULTY) && mkdir -p $(FAULTY) && git ls-files | tar -cf - -T - | tar -xf - -C $(FAULTY)
+	scripts/semantic_faults.py seed $(FAULTY)
+	cmake -S $(FAULTY) -B $(FAULTY)/build --preset program
+	cmake --build $(FAULTY)/build --target pomona -j $(JOBS)
+	nice scripts/semantic_faults.py show $(FAULTY)
+	scripts/semantic_faults.py report
 
 verify: build ## does this machine give what is published? a tenth of the cuts, half a minute; ALL=1 compares all
 	build/pomona verify $(and $(ALL),--all)

@@ -115,7 +115,8 @@ struct LoopbackServer::Listener {
   std::optional<WebReply> fault_of(const httplib::Request& request) const {
     if (request.get_header_value_count("Host") != 1 || request.get_header_value("Host") != host)
       return refused(421, "this server answers to http://" + host + " alone");
-    if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host)
+    const std::size_t origins = request.get_header_value_count("Origin");
+    if (origins > 1 || (origins == 1 && request.get_header_value("Origin") != "http://" + host))
       return refused(403, "no other page may talk to this server");
     if (request.path.size() > longest_path) return refused(414, "there is no such path");
     if (request.method != "GET" && request.method != "POST") return refused(405, "only GET and POST are known here");
@@ -127,7 +128,8 @@ struct LoopbackServer::Listener {
   }
 
   std::optional<WebReply> fault_of_body(const httplib::Request& request) const {
-    if (!request.get_header_value("Content-Type").starts_with("application/json"))
+    const std::string type = request.get_header_value("Content-Type");
+    if (type != "application/json" && !type.starts_with("application/json;"))
       return refused(415, "what is sent here is JSON", "Content-Type: application/json");
     if (request.has_header("Transfer-Encoding") || request.has_header("Content-Encoding"))
       return refused(411, "bodies are sent plain, with their length");

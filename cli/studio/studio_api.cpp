@@ -165,10 +165,7 @@ WebReply StudioApi::routed(const WebRequest& request) {
     if (path == "/") return {200, "text/html; charset=utf-8", page_};
     if (path == "/api/document") return document(true);
     if (path == "/api/state") return document(false);
-    if (path == "/api/picture") {
-      const auto href = request.query.find("href");
-      return picture(href == request.query.end() ? std::string() : href->second);
-    }
+    if (path == "/api/picture") return made(request);
   } else {
     if (path == "/api/change") return change(request.body);
     if (path == "/api/save") return save(request.body);
@@ -178,14 +175,17 @@ WebReply StudioApi::routed(const WebRequest& request) {
   return error_reply(404, "there is nothing at this path");
 }
 
-/// What takes long never takes all threads: edits are kept and saved meanwhile.
+/// What takes long, or much memory, never takes all threads: edits are kept and saved meanwhile.
 WebReply StudioApi::made(const WebRequest& request) {
   if (++at_work_ > max_at_work) {
     --at_work_;
     return error_reply(503, "the studio is at work on other fruits", "ask again when these are there");
   }
   const std::unique_ptr<std::atomic<int>, void (*)(std::atomic<int>*)> done(&at_work_, [](auto* count) { --*count; });
-  return request.path == "/api/asset" ? asset(request.body) : section(request.body);
+  if (request.path == "/api/asset") return asset(request.body);
+  if (request.path == "/api/section") return section(request.body);
+  const auto href = request.query.find("href");
+  return picture(href == request.query.end() ? std::string() : href->second);
 }
 
 WebReply StudioApi::document(bool with_texts) {

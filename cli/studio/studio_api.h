@@ -32,7 +32,7 @@ class StudioApi {
   Workspace& workspace_;
   StudioFruits fruits_;
   std::string page_;
-  std::atomic<int> at_work_ = 0;  ///< requests that grow a fruit
+  std::atomic<int> at_work_ = 0;  ///< requests that grow a fruit or read a picture
 };
 
 }  // namespace pomona

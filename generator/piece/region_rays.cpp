@@ -110,28 +110,33 @@ class RayLattice {
   std::vector<Passing> passings_;
 };
 
-/// Counts of the few things around a point.
+/// How often one is in what, for the few things one is in at a time, and since which height.
 class Surrounding {
  public:
-  void pass(std::int32_t what, std::int32_t into) {
-    const auto place = std::find_if(in_.begin(), in_.end(), [&](const auto& entry) { return entry.first == what; });
+  struct In {
+    std::int32_t what = 0, times = 0;
+    double since = 0;
+  };
+
+  void pass(std::int32_t what, std::int32_t into, double height) {
+    const auto place = std::find_if(in_.begin(), in_.end(), [&](const In& entry) { return entry.what == what; });
     if (place == in_.end()) {
-      in_.emplace_back(what, into);
-    } else if ((place->second += into) == 0) {
+      in_.push_back({what, into, height});
+    } else if ((place->times += into) == 0) {
       in_.erase(place);
     }
   }
   /// The smallest one; -1 if there is none.
   std::int32_t min() const {
     std::int32_t min = -1;
-    for (const auto& [what, times] : in_) min = min < 0 ? what : std::min(min, what);
+    for (const In& entry : in_) min = min < 0 ? entry.what : std::min(min, entry.what);
     return min;
   }
-  const std::vector<std::pair<std::int32_t, std::int32_t>>& all() const { return in_; }
+  std::vector<In>& all() { return in_; }
   void clear() { in_.clear(); }
 
  private:
-  std::vector<std::pair<std::int32_t, std::int32_t>> in_;  // index and count
+  std::vector<In> in_;
 };
 
 /// Moments of a stretch of a ray, per area of its cell and density.
@@ -183,6 +188,8 @@ class ExcessSum {
     return box;
   }
 
+  /// A piece's stretches end where it ends and where a region does, never where another piece does: so its sums are the
+  /// same to the bit whichever others are there.
   std::vector<Moments> summed(RayLattice& lattice, std::span<const double> excess) const {
     std::vector<Moments> sums(pieces_.size());
     Surrounding regions, pieces;
@@ -190,13 +197,17 @@ class ExcessSum {
     for (std::size_t i = 0; i < passings.size(); ++i) {
       const Passing& now = passings[i];
       if (i == 0 || passings[i - 1].ray != now.ray) regions.clear(), pieces.clear();
-      (now.what < 0 ? pieces : regions).pass(now.what, now.into);
-      if (i + 1 == passings.size() || passings[i + 1].ray != now.ray) continue;
       const std::int32_t region = regions.min();
-      if (region < 0 || excess[static_cast<std::size_t>(region)] == 0) continue;
-      const Moments part = stretch(lattice.place(now.ray), now.height, passings[i + 1].height);
-      for (const auto& [what, times] : pieces.all())
-        sums[static_cast<std::size_t>(-1 - what)].add(part, times * excess[static_cast<std::size_t>(region)]);
+      for (Surrounding::In& piece : pieces.all()) {
+        if (now.what < 0 && now.what != piece.what) continue;
+        if (region >= 0 && excess[static_cast<std::size_t>(region)] != 0 && now.height > piece.since) {
+          const Moments part = stretch(lattice.place(now.ray), piece.since, now.height);
+          sums[static_cast<std::size_t>(-1 - piece.what)].add(part,
+                                                              piece.times * excess[static_cast<std::size_t>(region)]);
+        }
+        piece.since = now.height;
+      }
+      (now.what < 0 ? pieces : regions).pass(now.what, now.into, now.height);
     }
     return sums;
   }

@@ -66,6 +66,10 @@ class Strangers(WithAFruit):
     def test_no_other_origin_and_no_other_name_of_this_machine(self):
         for origin in ("http://evil.example", "null", "http://127.0.0.1:1", "http://localhost:" + str(self.server.port)):
             self.refused(403, "/api/document", headers={"Origin": origin})
+        with socket.create_connection(("127.0.0.1", self.server.port), timeout=10) as wire:
+            wire.sendall(f"GET /api/document HTTP/1.1\r\nHost: {self.host}\r\nX-Pomona-Token: {self.server.token}\r\n"
+                         f"Origin: http://{self.host}\r\nOrigin: http://evil.example\r\n\r\n".encode())
+            self.assertIn(b" 403 ", wire.recv(4096))
         for host in ("evil.example", "localhost:" + str(self.server.port), "127.0.0.1", "127.0.0.1:1"):
             self.refused(421, "/api/document", headers={"Host": host})
         self.assertEqual(self.server.ask("/api/document", headers={"Origin": "http://" + self.host})[0], 200)
@@ -87,7 +91,9 @@ class Strangers(WithAFruit):
     def test_other_methods_kinds_and_lengths_of_bodies(self):
         self.refused(405, "/api/save", method="PUT", body=b"{}")
         self.refused(405, "/api/document", method="DELETE")
-        self.refused(415, "/api/save", body=b"{}", headers={"Content-Type": "text/plain"})
+        for kind in ("text/plain", "application/jsonfoo", "application/json, text/plain"):
+            self.refused(415, "/api/save", body=b"{}", headers={"Content-Type": kind})
+        self.refused(400, "/api/save", body=b"[1]", headers={"Content-Type": "application/json; charset=utf-8"})
         self.refused(411, "/api/save", body=b"{}", headers={"Content-Encoding": "gzip"})
         self.refused(400, "/api/save", body=b"[1]")
         self.refused(400, "/api/section", body={"toml": "", "svg": "", "size": 1e9})
@@ -196,7 +202,9 @@ class Edits(WithAFruit):
         edit = self.wider(studio)
         studio.json("/api/change", edit)
         seen = studio.json("/api/state")["version"]
-        status, asset = studio.ask("/api/asset", {"toml": edit["toml"], "svg": edit["svg"], "seed": 3, "ripeness": 0.5, "final": True})
+        texts = {"toml": edit["toml"], "svg": edit["svg"]}
+        studio.ask("/api/section", {**texts, "seed": 9, "ripeness": 1.5, "final": True, "size": 32})  # another of these texts
+        status, asset = studio.ask("/api/asset", {**texts, "seed": 3, "ripeness": 0.5, "final": True})
         self.assertEqual(status, 200)
         studio.json("/api/save", {"seen": seen})
         self.assertEqual((self.folder / "cherry.svg").read_text(), edit["svg"])
@@ -220,6 +228,7 @@ class Edits(WithAFruit):
         again = self.studio()
         document = again.json("/api/document")
         self.assertTrue(document["recovered"] and document["unsaved"])
+        self.assertFalse(document["changed_outside"], "no other program has changed anything")
         self.assertEqual(document["svg"], edit["svg"])
         self.assertNotEqual((self.folder / "cherry.svg").read_text(), edit["svg"])
         again.json("/api/revert", {"seen": document["version"]})
