@@ -54,7 +54,7 @@ TEST(Color, oklab_knows_white_grey_and_its_way_back) {
   EXPECT_NEAR(white.x, 1, 1e-4);
   EXPECT_NEAR(white.y, 0, 1e-4);
   EXPECT_NEAR(white.z, 0, 1e-4);
-  EXPECT_NEAR(to_oklab(Color(0.125f)).x, 0.5, 1e-4);  // lightness is the cube root
+  EXPECT_NEAR(to_oklab(Color(0.125f)).x, 0.5, 1e-4);  // lightness is the cube root of a gray
   for (int i = 0; i < 64; ++i) {
     const Color color(static_cast<float>(i % 4) / 3, static_cast<float>(i / 4 % 4) / 3, static_cast<float>(i / 16) / 3);
     EXPECT_LT(glm::distance(from_oklab(to_oklab(color)), color), 1e-5f);

@@ -14,7 +14,7 @@ namespace pomona {
 namespace {
 
 TEST(LatticeHash, NeighboursHaveNothingInCommon) {
-  // Of cells beside each other, each bit differs about every other time.
+  // Between neighbouring cells each bit of the hash differs about every other time.
   constexpr int cells = 4000;
   for (int axis = 0; axis < 3; ++axis) {
     std::array<int, 32> differs{};
@@ -31,7 +31,7 @@ TEST(LatticeHash, NeighboursHaveNothingInCommon) {
   }
 }
 
-/// Wellons' lowbias32, worked out by hand: were it another function, every noise would be another one.
+/// Wellons' lowbias32, worked out by hand: another function would change every noise.
 TEST(LatticeHash, IsTheOneThatFilesRestOn) {
   EXPECT_EQ(lattice_hash(0, 0, 0, 0), 0x0u);
   EXPECT_EQ(lattice_hash(1, 2, 3, 4), 0xa1bfec75u);

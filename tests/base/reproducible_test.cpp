@@ -14,7 +14,7 @@
 namespace pomona {
 namespace {
 
-/// Within two units in the last place of the C library's, which differs from processor to processor.
+/// Results are within two units in the last place of the C library's, which differ from processor to processor.
 void expect_near(double ours, double theirs) {
   const double unit = std::max(std::fabs(theirs), 1e-300) * std::numeric_limits<double>::epsilon();
   EXPECT_NEAR(ours, theirs, 2 * unit);

@@ -1,4 +1,4 @@
-// Files taken in as far as they may be long, and names that are nearly right.
+// Files are read up to the length they may have, and names that are nearly right are recognised.
 #include <sstream>
 #include <string>
 

@@ -7,13 +7,13 @@
 
 namespace pomona::shapes {
 
-/// Of all pieces, cubic metres.
+/// The volume of all pieces, cubic metres.
 double volume_of(const Cut& cut);
 
-/// Every piece is closed, and together they are as large as the whole.
+/// Expects that every piece is closed, and that their volumes add up to the whole.
 void expect_whole(const Cut& cut, double whole_volume);
 
-/// To the bit, sections and pieces.
+/// Expects the same sections and pieces, to the bit.
 void expect_same(const Cut& first, const Cut& second);
 
 /// A ball, a ring, a box with faces in planes, nested balls, a hollow ball, two rings through each other.

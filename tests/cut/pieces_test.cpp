@@ -22,7 +22,7 @@ namespace {
 using shapes::solid_knife;
 using Triangle = std::array<glm::dvec3, 3>;
 
-/// Skin and cut faces, turned outwards.
+/// Skin and cut faces, facing outwards.
 std::vector<Triangle> triangles_of(const CutPiece& piece, const CrossSection& section) {
   std::vector<Triangle> all;
   for (const glm::uvec3& t : piece.triangle)
@@ -37,7 +37,7 @@ std::vector<Triangle> triangles_of(const CutPiece& piece, const CrossSection& se
   return all;
 }
 
-/// The integrals of 1, of place, and of place times place.
+/// The integrals of 1, of the position, and of the position times itself.
 struct Moments {
   double volume = 0;
   glm::dvec3 first{0};
@@ -59,7 +59,7 @@ Moments moments_of(const std::vector<Triangle>& triangles) {
   return m;
 }
 
-/// The same by adding up the middles of many small cubes.
+/// The same integrals, as sums over the middles of many small cubes.
 template <typename Holds>
 Moments moments_by_places(const glm::dvec3& low, const glm::dvec3& high, const Holds& holds) {
   constexpr int steps = 80;

@@ -1,4 +1,4 @@
-// A sample of what bench/cuts does by the hundred thousand: cuts out for trouble, against clipping triangle by
+// A sample of what bench/cuts does a hundred thousand times: difficult cuts, compared with clipping triangle by
 // triangle.
 #include <cmath>
 
@@ -80,8 +80,8 @@ TEST(RobustCut, OfClosedSurfacesOutForTrouble) {
   }
 }
 
-/// Of a knife as uneven as this fruit's own skin, halves of edges are rounded: it lies within and without the skin by
-/// turns, and in floats parts that are open by themselves close each other.
+/// A knife as uneven as this fruit's own skin: the middles of its edges are rounded, so it lies inside and outside the
+/// skin by turns. In floats, parts that are open by themselves close each other.
 TEST(RobustCut, AlongTheFruitsOwnSkin) {
   DiffusionSurfaces fruit = shapes::sphere(0.05, 20, shapes::skin_paint());
   for (glm::vec3& p : fruit.position) {
@@ -94,7 +94,7 @@ TEST(RobustCut, AlongTheFruitsOwnSkin) {
   expect_right(oracle.facts(std::vector{oracle.random_solid(RandomStream({12, 0}, "test/robust"), 8)}));
 }
 
-/// What lies behind a vertex lies there but for the least bit that a float can tell.
+/// The place behind a vertex is the same one, but for the last bit of a float.
 DiffusionSurfaces slim_body() {
   DiffusionSurfaces body = shapes::sphere(0.09, 7, shapes::skin_paint());
   for (glm::vec3& p : body.position) {

@@ -1,4 +1,4 @@
-// The section as PLY: the header the documentation promises, and bytes where it says they are.
+// The section as PLY: it has the header that the documents promise, and bytes where the header says.
 #include "generator/cut/section/section_file.h"
 
 #include <cstring>

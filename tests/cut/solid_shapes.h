@@ -5,7 +5,7 @@
 
 namespace pomona::shapes {
 
-/// A ball: an octahedron with each edge in `n` pieces, blown up.
+/// A ball: an octahedron with each edge in `n` pieces, its vertices moved to the sphere.
 ClosedSurface ball(const glm::dvec3& center, double radius, int n);
 
 /// An axis-aligned box of twelve triangles.
@@ -14,7 +14,7 @@ ClosedSurface block(const glm::dvec3& low, const glm::dvec3& high);
 /// An upright cylinder with `around` sides.
 ClosedSurface rod(const glm::dvec3& bottom, double radius, double height, int around);
 
-/// The same surface, turned about the origin to a generic position.
+/// The surface, turned about the origin to a generic position.
 ClosedSurface tilted(ClosedSurface solid);
 
 Knife solid_knife(ClosedSurface solid);

@@ -1,4 +1,4 @@
-// Bits that hang together with nothing stay with the piece they lie on.
+// Loose bits stay with the piece on which they lie.
 #include "generator/cut/stray_bits.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(StrayBits, StayWithThePieceTheyLieOn) {
 TEST(StrayBits, ArePiecesWhereNothingIsNear) { EXPECT_EQ(halves(box_with_bit(0.01)).pieces.size(), 3u); }
 
 TEST(StrayBits, AreNoLargerThanAThousandth) {
-  EXPECT_EQ(halves(box_with_bit(0.0005, 0.0058)).pieces.size(), 2u);  // 0.9 of a thousandth
+  EXPECT_EQ(halves(box_with_bit(0.0005, 0.0058)).pieces.size(), 2u);  // the share is 0.9 of a thousandth
   EXPECT_EQ(halves(box_with_bit(0.0005, 0.0062)).pieces.size(), 3u);  // 1.1
 }
 

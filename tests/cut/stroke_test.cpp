@@ -55,7 +55,7 @@ TEST(Stroke, AStraightOneIsAPlane) {
 }
 
 TEST(Stroke, AZigzagThroughABox) {
-  // Below it, on the right of the way towards +x, lie 0.025 on average: by trapezia.
+  // Below it, right of the direction +x, the area is 0.025 on average: a sum of trapezia.
   const Cut result =
       cut(box(), std::vector<Knife>{stroke_knife({{-0.05, 0.02}, {-0.01, 0.03}, {0.01, 0.02}, {0.05, 0.03}})});
   ASSERT_EQ(result.pieces.size(), 2u);
@@ -95,7 +95,7 @@ TEST(Stroke, ComposesWithOtherKnives) {
   }
 }
 
-/// Corners on a coarse grid: through vertices, along edges and faces of the box.
+/// Corners on a coarse grid: strokes pass through the box's vertices, along its edges and faces.
 TEST(Stroke, ManyThroughManyShapes) {
   const std::vector<DiffusionSurfaces> fruits = {
       box(), shapes::sphere(0.05, 5, shapes::skin_paint()), shapes::torus(0.04, 0.015, 16, 9),
@@ -183,7 +183,7 @@ TEST(Stroke, CrossingItselfIsAnError) {
   EXPECT_TRUE(crosses_itself({{0, 0}, {2, 0}, {1, 1}, {1, -1}}, {0, 0}, 0));
   EXPECT_FALSE(crosses_itself({{0, 0}, {2, 0}, {2, 1}, {1, 0.5}}, {0, 0}, 0));
   EXPECT_TRUE(crosses_itself({{0, 0}, {2, 0}, {2, 1}, {1, 0.5}}, {0, 0}, 5)) << "where it goes on straight";
-  // The first piece goes on to the left, not the way of a chord between its ends' neighbours.
+  // The first piece continues to the left, not along the chord between its ends' neighbours.
   EXPECT_FALSE(crosses_itself({{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, -2}, {-1.5, -2}}, {0, 0}, 5));
   EXPECT_TRUE(crosses_itself({{0, 0}, {1, 1}, {2, 1}, {2, -2}, {-1.5, -2}}, {0, 0}, 5));
   EXPECT_THROW(cut(box(), std::vector<Knife>{stroke_knife({{0, 0}, {0.02, 0}, {0.02, 0.01}, {0.01, 0.005}})}), Error);

@@ -56,7 +56,7 @@ PmvcValue brute_force_pmvc(const DiffusionSurfaces& surfaces, const glm::dvec3& 
   PmvcValue value;
   std::vector<double> part_weight(surfaces.part_names.size(), 0);
   for (int i = 0; i < 6 * texels * texels; ++i) {
-    // A direction and the solid angle it stands for.
+    // A direction and the solid angle that it represents.
     const double h = 1.0 / texels;
     const int face = i / (texels * texels);
     const double u = (2 * (i % texels) + 1) * h - 1, v = (2 * (i / texels % texels) + 1) * h - 1;

@@ -1,5 +1,5 @@
-// Positive mean values by the plainest means, to hold the fast ones against; and with known mistakes, to see
-// that the tests would notice them.
+// Positive mean values in the simplest way, to compare the fast ones with; and with known mistakes, to see whether
+// tests notice them.
 #pragma once
 
 #include "generator/diffusion/pmvc_value.h"
@@ -10,11 +10,11 @@ namespace pomona {
 enum class Mistake {
   none,
   uniform_solid_angle,  ///< every texel of the cube counts the same
-  planar_distance,      ///< depth along the face's axis in place of distance
+  planar_distance,      ///< uses the depth along the face's axis in place of the distance
   both,
 };
 
-/// Every ray of a cube of 6 x texels^2 directions against every triangle.
+/// Tests every ray of a cube of 6 x texels^2 directions against every triangle.
 PmvcValue brute_force_pmvc(const DiffusionSurfaces& surfaces, const glm::dvec3& point, int texels,
                            Mistake mistake = Mistake::none);
 

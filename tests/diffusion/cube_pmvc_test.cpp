@@ -120,7 +120,7 @@ TEST(CubePmvc, AgreesWithBruteForce) {
   }
 }
 
-/// Two boxes in one place, seen from their middle, where all depths are one to the bit, however they are divided.
+/// Two boxes in one place, seen from their middle: all depths are 1 to the bit, however the boxes are divided.
 TEST(CubePmvc, EqualDepthsGoToTheSmallerTriangleIndex) {
   shapes::Paint first, second;
   first.front = first.back = Color(1);
@@ -151,7 +151,7 @@ TEST(CubePmvc, QuarterTurnsChangeNothing) {
 }
 
 TEST(CubePmvc, AnyTurnChangesLittleAt32Texels) {
-  // Points are turned along as vertices of no triangle.
+  // Points are turned, too, as vertices without triangles.
   DiffusionSurfaces fruit = shapes::seeded_fruit();
   const std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(100);
   fruit.position.insert(fruit.position.end(), points.begin(), points.end());
@@ -174,7 +174,7 @@ TEST(CubePmvc, MoreDirectionsChangeLittle) {
 }
 
 TEST(CubePmvc, NothingSeenWeighsNothing) {
-  // In the plane of an open sheet, beside it.
+  // A point in the plane of an open sheet, beside the sheet.
   const std::vector<PmvcValue> found = values(shapes::open_sheet(1, 0), {{2, 0, 0}}, 16);
   EXPECT_EQ(found.front().weight, 0);
 }

@@ -1,4 +1,4 @@
-// Four values at once are what colours would be, channel by channel.
+// Four values diffused at once equal colours, channel by channel.
 #include "generator/diffusion/pmvc/diffused_values.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ std::vector<Color> as_grey(DiffusionSurfaces surfaces, const std::vector<glm::ve
 
 TEST(DiffusedValues, AreWhatColoursWouldBeToTheBit) {
   const DiffusionSurfaces fruit = shapes::seeded_fruit();
-  // Within, on a surface, and where nothing is nearer than the outside.
+  // Points inside, on a surface, and where the nearest thing is the outside.
   std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(200);
   points.push_back(fruit.position[fruit.triangle.front().x]);
   points.emplace_back(10, 10, 10);

@@ -30,7 +30,7 @@ std::vector<glm::dvec3> random_places(std::size_t count) {
   return places;
 }
 
-/// Normalised, by trying all triangles.
+/// The normalised distance, by trying all triangles.
 double true_distance(const DiffusionSurfaces& surfaces, const TriangleFrames& frames, const glm::dvec3& place) {
   double min = 1e30;
   for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
@@ -67,7 +67,7 @@ TEST(EmptyBalls, AreEmptyAndLargeNextToSurfaces) {
   expect_empty_and_large(fruit, places);
 }
 
-/// The whole cube may be asked about, its sides included.
+/// Queries may lie anywhere in the cube, its sides included.
 TEST(EmptyBalls, AreEmptyAndLargeOnTheSidesOfTheCube) {
   std::vector<glm::dvec3> places = random_places(300);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -175,7 +175,7 @@ TEST(SideNextTo, IsRightAroundSpikes) {
   const EmptyBalls balls = balls_of(ball);
   const std::vector<glm::dvec3> around = random_places(200);
   for (std::size_t v = 0; v < ball.vertex_count(); ++v) {
-    // The surface is a graph over the sphere of directions, so the radius of its triangle tells the side.
+    // In each direction the surface has one radius, so the radius of its triangle tells the side.
     const glm::dvec3 corner = balls.frames().normalized(glm::dvec3(ball.position[v]));
     for (int i = 0; i < 20; ++i) {
       const glm::dvec3 place = corner + 1e-4 * around[(v + static_cast<std::size_t>(i) * 7) % around.size()];

@@ -1,4 +1,4 @@
-// Colours painted onto surfaces by formula, and how far results are from what they should be.
+// Colours painted onto surfaces by a formula, and the errors of results.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,5 @@
-// Closed surfaces that knives cut by: closed, outward, free of crossings, as large and as deep as they should be.
+// The surfaces of closed knives: they are closed, face outwards, do not cross themselves, and have the right size and
+// depth.
 #include "generator/knife/closed_knives.h"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ TEST(ClosedKnives, ACorerGoesThroughOrAsDeepAsAsked) {
   EXPECT_GT(level.high.x, 0.036);
 }
 
-/// How far from the middle a bite's surface is, seen from the front, where the rays at this angle leave it.
+/// The distance of a bite's surface from its middle, along the ray at this angle, seen from the front.
 std::vector<double> rim_of(const ClosedSurface& bite, const glm::dvec3& middle) {
   std::vector<std::pair<double, double>> rim;  // by angle
   for (const glm::dvec3& p : bite.point) {
@@ -118,7 +119,7 @@ TEST(ClosedKnives, ABiteIsWiderThanHighAndNotOutOfShape) {
   EXPECT_NEAR(bounds.size().y, 0.8 * 0.04, 3e-3);
   EXPECT_NEAR(bounds.low.z, 0.035 - 0.5 * 0.8 * 0.04, 2e-3) << "deep";
   EXPECT_EQ(bite.point, solid_of("bite:40mm").point) << "the same width has the same teeth";
-  expect_sound(solid_of("bite:30mm,at=0,7cm,0"));  // from the top, where there is no way towards the axis
+  expect_sound(solid_of("bite:30mm,at=0,7cm,0"));  // from the top, where no direction leads towards the axis
   expect_sound(solid_of("bite:4mm"));
 }
 
@@ -127,7 +128,7 @@ TEST(ClosedKnives, ABiteIsWiderThanHighAndNotOutOfShape) {
 TEST(ClosedKnives, ABiteHasTheMarksOfUnequalTeeth) {
   const std::vector<double> rim = rim_of(solid_of("bite:45mm"), {0, 0.035, 0.035});
   ASSERT_GT(rim.size(), 100u);
-  std::vector<double> groove;  // how far each goes
+  std::vector<double> groove;  // how far each groove reaches
   const std::size_t n = rim.size(), near = n / 60;
   for (std::size_t i = 0; i < n; ++i) {
     bool largest = true;
@@ -174,7 +175,7 @@ class ProfileFile : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-/// [Pappus]: area times the way of its centre.
+/// [Pappus]: the area times the path length of its centre.
 TEST_F(ProfileFile, IsRevolved) {
   const ClosedSurface cone = solid("cone");
   EXPECT_GT(expect_sound(cone), 0.05);
@@ -216,7 +217,7 @@ TEST_F(ProfileFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THROW(parse_knife("revolve:other.svg#cone", folder_.path()), Error);
 }
 
-/// The greatest difference of the depth from what it should be: at vertices and in the middles of triangles.
+/// The largest error of the depth, at vertices and in the middles of triangles.
 double offset_error(const ClosedSurface& solid, const DiffusionSurfaces& fruit, double thickness) {
   const SkinDepth skin(fruit);
   double worst = 0;
@@ -251,7 +252,7 @@ TEST(Peel, FollowsWhatIsNoBall) {
   EXPECT_NEAR(volume_of(less), 0.05 * 0.04 * 0.05, 0.01 * 0.05 * 0.04 * 0.05) << "creases lose up to a cell";
 }
 
-/// The hollow's wall is no skin.
+/// The wall of the hollow does not count as skin.
 TEST(Peel, IsThatOfTheOutside) {
   const ClosedSurface inner = solid_of("peel:12mm", shapes::hollow_ball(0.04, 0.03, 16));
   EXPECT_EQ(inner.point, solid_of("peel:12mm", shapes::sphere(0.04, 16, shapes::skin_paint())).point);
@@ -262,7 +263,7 @@ DiffusionSurfaces ball_with_stem() {
   return joined(ball_fruit(), shapes::box({-0.002, 0.06, -0.002}, {0.002, 0.09, 0.002}, 2, shapes::skin_paint()));
 }
 
-/// What sticks out stays, with a little skin around it; what is small is peeled off.
+/// Parts that stick out far stay, with a little skin around them; small ones are peeled off.
 TEST(Peel, LeavesTheStem) {
   const DiffusionSurfaces seed = shapes::box({0.034, 0.034, -0.001}, {0.036, 0.036, 0.001}, 1, shapes::skin_paint());
   const ClosedSurface inner = solid_of("peel:2mm", joined(ball_with_stem(), seed));

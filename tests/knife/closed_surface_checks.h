@@ -1,4 +1,4 @@
-// What tests ask of closed surfaces.
+// Checks that tests make on closed surfaces.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,13 +7,13 @@
 
 namespace pomona {
 
-/// By the divergence theorem, cubic metres; positive for triangles that face outwards.
+/// The volume by the divergence theorem, cubic metres; positive if triangles face outwards.
 double volume_of(const ClosedSurface& surface);
 
-/// Square metres.
+/// The area, square metres.
 double area_of(const ClosedSurface& surface);
 
-/// Every edge belongs to two triangles that run along it in opposite directions, and no point lies loose.
+/// Whether every edge belongs to two triangles that pass it in opposite directions, and every point to a triangle.
 bool is_closed(const ClosedSurface& surface);
 
 /// The thinnest triangle's height, as a share of its longest edge.

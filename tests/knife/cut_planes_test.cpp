@@ -1,4 +1,4 @@
-// The planes of several knives: which coincide, which belong to one blade, and what lies on which.
+// The planes of several knives: which coincide, which belong to one blade, and which points lie on which.
 #include "generator/knife/cut_planes.h"
 
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ TEST(CutPlanes, OfAStrokeAreOneBlade) {
   }
   EXPECT_EQ(next, planes.count());
 
-  // A facet ends where the stroke bends; the first and the last go on for ever.
+  // A facet ends where the stroke bends; the first and the last facet have no end.
   EXPECT_TRUE(planes.is_in_facet(1, {-9, 0, 0}));
   EXPECT_FALSE(planes.is_in_facet(1, {0.01, 0.032, 0}));
   EXPECT_TRUE(planes.is_in_facet(0, {1, 2, 3})) << "a plane has no facet";

@@ -55,7 +55,7 @@ class KnifeKinds : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-/// The kind that a knife is of, by its place in the two families.
+/// A knife's kind, as its index in the two families.
 std::pair<std::size_t, std::size_t> kind_of(const Knife& knife) {
   return {knife.cut.index(), std::visit([](const auto& cut) { return cut.index(); }, knife.cut)};
 }

@@ -19,7 +19,7 @@ namespace {
 
 ClosedSurface ball(double radius) { return revolved(half_circle(radius, 1e-4 * radius), {.tolerance = 1e-4 * radius}); }
 
-/// Each face a square of two triangles with points of its own: nothing is shared before it is welded.
+/// Each face is a square of two triangles with points of its own: nothing is shared before welding.
 ClosedSurface loose_box(const glm::dvec3& low, const glm::dvec3& high) {
   const DiffusionSurfaces box = shapes::box(low, high);
   ClosedSurface surface;

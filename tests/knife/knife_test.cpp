@@ -1,4 +1,4 @@
-// Knives: what users may write, and the planes and cells that come of it.
+// Knives: what users may write, and which planes and cells result.
 #include "generator/knife/knife.h"
 #include "generator/knife/knife_kinds.h"
 #include "generator/knife/knife_planes.h"
@@ -65,7 +65,7 @@ TEST(Knife, BadOnesAreUsageErrorsThatSayWhatAKnifeIs) {
       const std::string kind(text, std::strcspn(text, ":"));
       const auto& kinds = knife_kinds();
       const bool is_known = std::any_of(kinds.begin(), kinds.end(), [&](const KnifeKind& k) { return k.name == kind; });
-      // Of a kind that there is, how it is written; else all that there are. Or what is better than both.
+      // The hint says how a known kind is written, or names all kinds, or says something more useful.
       const std::string& hint = error.diagnostics().at(0).hint;
       if (is_known)
         EXPECT_THAT(hint, testing::AnyOf(testing::HasSubstr("it is written " + kind), testing::HasSubstr("above 0")));

@@ -1,4 +1,4 @@
-// What a peeler goes by: depth below the skin, the spiral about the axis, and the offset that they lead to.
+// How a peeler works: the depth below the skin, the spiral about the axis, and the offset that results.
 #include <algorithm>
 #include <cmath>
 
@@ -37,7 +37,7 @@ TEST(PeelDepth, InABallGrowsTowardsItsMiddle) {
   }
 }
 
-/// At what stays the depth is the peel's and the clearance, and with the distance from it it becomes less.
+/// At parts that stay the depth is the peel's plus the clearance; it decreases with the distance from them.
 TEST(PeelDepth, AroundAStemIsMoreThanThePeel) {
   const PeelDepth depth(ball_with_stem(), 0.002, 0.001);
   EXPECT_NEAR(depth.box().high.y, 0.05, 1e-9);
@@ -56,7 +56,7 @@ TEST(PeelDepth, WantsAClosedSkin) {
   EXPECT_THROW(PeelDepth(shapes::open_sheet(0.1, 0.02, 2, shapes::skin_paint()), 0.002, 0.001), Error);
 }
 
-/// Of a ball: the angle from its bottom times its radius, for points within and without.
+/// On a ball: the angle from its bottom times its radius, for points inside and outside.
 TEST(OutlinePlace, OnABallIsAnArcsLength) {
   const DiffusionSurfaces fruit = ball(0.03);
   const OutlinePlace outline{SkinDepth(fruit).skin()};
@@ -75,7 +75,7 @@ TEST(OutlinePlace, OnABallIsAnArcsLength) {
   EXPECT_NEAR(outline.along({0, 0.05, 0}), outline.length(), 1e-12);
 }
 
-/// Around hollows of the skin it is the convex hull: that of a torus has flat ends.
+/// The spiral follows the convex hull where the skin is hollow: the hull of a torus has flat ends.
 TEST(OutlinePlace, BridgesHollows) {
   const DiffusionSurfaces ring = shapes::torus(0.04, 0.01, 96, 48);
   const OutlinePlace outline{SkinDepth(ring).skin()};
@@ -117,8 +117,7 @@ TEST(Peeled, InAStripIsClosedAndTakesLessThanInOne) {
   EXPECT_GT(volume_of(ridged), volume_of(whole)) << "the ridge stays";
 }
 
-/// Around the hole of a ring turns of the ridge come so near to each other that two of them touch: the ridge ends
-/// there, and the rest of it stays.
+/// Around the hole of a ring two turns of the ridge would touch: the ridge ends there, and the rest of it stays.
 TEST(Peeled, InAStripIsClosedWhereTheRidgeWouldTouchItself) {
   const DiffusionSurfaces ring = shapes::torus(0.025, 0.012, 32, 16);
   const ClosedSurface ridged = peeled(ring, {.thickness = 0.002, .strip = 0.012});

@@ -25,14 +25,14 @@ Curve circle(const glm::dvec2& middle, double radius, int corners) {
   return curve;
 }
 
-/// How many vertices lie at this distance from the axis, at one height.
+/// The number of vertices at this distance from the axis, at one height.
 double count_in_ring(const ClosedSurface& surface, double radius, double height) {
   return static_cast<double>(std::count_if(surface.point.begin(), surface.point.end(), [&](const glm::dvec3& p) {
     return std::fabs(std::hypot(p.x, p.z) - radius) < 1e-12 && std::fabs(p.y - height) < 1e-12;
   }));
 }
 
-/// Its rings all have equally many corners, so that it is a prism to the bit of rounding.
+/// All its rings have equally many corners, so it is a prism, up to rounding.
 TEST(SolidOfRevolution, OfAnUprightLineIsAPrism) {
   for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
     const Curve side{{{0.02, -0.01}, {0.02, 0.05}}, false};
@@ -45,7 +45,7 @@ TEST(SolidOfRevolution, OfAnUprightLineIsAPrism) {
   }
 }
 
-/// Inscribed, so never larger; the difference goes with the tolerance.
+/// The solid is inscribed, so it is never larger; the difference depends on the tolerance.
 TEST(SolidOfRevolution, OfHalfACircleIsABall) {
   const double exact = 4. / 3 * pi * std::pow(0.03, 3);
   double last = exact;
@@ -62,7 +62,7 @@ TEST(SolidOfRevolution, OfHalfACircleIsABall) {
   }
 }
 
-/// [Pappus]: the area of a circle times the way of its middle.
+/// [Pappus]: the area of a circle times the path length of its middle.
 TEST(SolidOfRevolution, OfACircleBesideTheAxisIsATorus) {
   const double exact = 2 * pi * pi * 0.04 * 0.01 * 0.01;
   const ClosedSurface torus = revolved(circle({0.04, 0.02}, 0.01, 128), {.tolerance = 1e-6});

@@ -20,7 +20,7 @@ Pairs random_pairs(std::size_t count, std::uint64_t members) {
   return pairs;
 }
 
-/// The least member that each can be reached from, by going along pairs until nothing changes.
+/// For each member the least one it is connected to, found by following pairs until nothing changes.
 std::vector<std::uint32_t> min_reached(const Pairs& pairs, std::uint32_t members) {
   std::vector<std::uint32_t> min(members);
   for (std::uint32_t i = 0; i < members; ++i) min[i] = i;

@@ -16,7 +16,7 @@ namespace {
 
 TriangleTree tree_of(const DiffusionSurfaces& surfaces) { return {surfaces.position, surfaces.triangle}; }
 
-/// The least of what nearest_on_triangle finds, triangle by triangle.
+/// The least distance that nearest_on_triangle() finds, triangle by triangle.
 double distance_by_trying_all(const TriangleTree& tree, const glm::dvec3& p) {
   double min = std::numeric_limits<double>::infinity();
   for (const TriangleTree::Corners& t : tree.triangles()) {
@@ -26,7 +26,7 @@ double distance_by_trying_all(const TriangleTree& tree, const glm::dvec3& p) {
   return std::sqrt(min);
 }
 
-/// Inside, outside, far away, and on the mesh itself.
+/// Points inside, outside, far away, and on the mesh itself.
 std::vector<glm::dvec3> places_around(const TriangleTree& tree) {
   std::vector<glm::dvec3> places = random_points(400, 3);
   for (const glm::dvec3& p : random_points(50, 3)) places.push_back(200.0 * p);

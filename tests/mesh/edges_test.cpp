@@ -51,7 +51,7 @@ TEST(Weld, FindsWhatTryingAllVerticesFinds) {
 }
 
 TEST(Edges, AreInTheOrderThatComparingThemGives) {
-  // A few corners in many triangles, many corners with gaps between them, and kinds.
+  // Cases: few corners in many triangles, many corners with gaps in their numbers, and edges of several kinds.
   const RandomStream random({2, 0}, "triangles");
   for (const std::uint64_t vertices : {5u, 40u, 900u, 4000000000u}) {
     std::vector<glm::uvec3> triangles;

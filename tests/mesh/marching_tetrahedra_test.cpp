@@ -23,7 +23,7 @@ double volume_of(const ClosedSurface& solid) {
   return six / 6;
 }
 
-/// The distance from a point that is no vertex's, and the height above it.
+/// The distance from a point that is no vertex of the grid, and the height above it.
 Values ball_and_height(const glm::dvec3& p) {
   const glm::dvec3 middle(0.011, -0.017, 0.013);
   return {glm::distance(p, middle), p.y - middle.y, 0};
@@ -87,7 +87,7 @@ TEST(MarchingTetrahedra, MakeClosedBallsWhoseVolumeConverges) {
 }
 
 TEST(MarchingTetrahedra, PutPointsOnTheLevel) {
-  // Levels are moved by up to 0.03 of an edge, and are straight within a cell.
+  // Values are moved by up to 0.03 of an edge, and the surface is straight within a cell.
   for (const glm::dvec3& p : ball(16).point) EXPECT_NEAR(ball_and_height(p)[0], radius, 0.02);
 }
 

@@ -15,7 +15,7 @@ Moments moments_about(const DiffusionSurfaces& mesh, const glm::dvec3& origin) {
 }
 
 TEST(Moments, OfABoxAreThoseOfTheTextbook) {
-  const glm::dvec3 low(0.5, -0.25, 0.125), size(0.25, 0.5, 0.0625);  // exact in floats
+  const glm::dvec3 low(0.5, -0.25, 0.125), size(0.25, 0.5, 0.0625);  // floats hold these exactly
   const glm::dvec3 origin(1, 2, 3);
   const RigidMass box = rigid_mass(moments_about(shapes::box(low, low + size, 2), origin), origin);
   const double volume = size.x * size.y * size.z;

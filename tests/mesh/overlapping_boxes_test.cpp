@@ -9,7 +9,7 @@
 namespace pomona {
 namespace {
 
-/// Boxes of all sizes: on whole steps, so that many touch just so.
+/// Boxes of all sizes, with corners on a coarse grid, so that many just touch.
 template <typename T>
 std::vector<Box<T>> random_boxes(std::size_t count, std::uint64_t seed) {
   const std::vector<glm::dvec3> middles = random_points(count, 20, seed), sizes = random_points(count, 4, seed + 1);
@@ -37,7 +37,7 @@ TEST(OverlappingBoxes, AreAllThatMeetEachOnce) {
     }
     EXPECT_EQ(sorted(overlapping_boxes(boxes)), expected);
 
-    // Visits end with the first that says so.
+    // The search ends with the first visit that asks for it.
     std::size_t visits = 0;
     visit_overlapping_boxes(boxes, [&](std::uint32_t, std::uint32_t) { return ++visits < 5; });
     EXPECT_EQ(visits, std::min<std::size_t>(5, expected.size()));

@@ -11,7 +11,7 @@ namespace {
 
 using Corners = std::vector<glm::dvec3>;
 
-/// Of all triangles together, along the polygon's normal: only where none leaves the polygon is this its area.
+/// The area of all triangles, along the polygon's normal. It is the polygon's only if no triangle leaves the polygon.
 double area_of(const Corners& corners, const std::vector<glm::uvec3>& triangles) {
   double area = 0;
   for (const glm::uvec3& t : triangles)
@@ -22,7 +22,7 @@ double area_of(const Corners& corners, const std::vector<glm::uvec3>& triangles)
 /// A C of three unit squares by seven: 11 squares.
 const Corners c_shape{{4, 1, 0}, {1, 1, 0}, {1, 3, 0}, {4, 3, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {4, 0, 0}};
 
-/// Turned in space, and moved.
+/// The same polygon, turned in space and moved.
 Corners tilted(Corners corners, double by) {
   for (glm::dvec3& p : corners) {
     const double c = std::cos(by), s = std::sin(by);
@@ -48,7 +48,7 @@ TEST(PolygonTriangles, AConcaveOneIsFilledFromWhereverItBeginsAndHoweverItLies) 
       ASSERT_TRUE(triangles.has_value());
       EXPECT_EQ(triangles->size(), corners.size() - 2);
       EXPECT_NEAR(area_of(corners, *triangles), 10, 1e-9);
-      // All turn as the polygon does.
+      // All triangles turn the same way as the polygon.
       glm::dvec3 normal(0);
       for (std::size_t k = 2; k < corners.size(); ++k)
         normal += glm::cross(corners[k - 1] - corners[0], corners[k] - corners[0]);

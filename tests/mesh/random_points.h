@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-/// Evenly spread over the cube from -size to size; others for another seed.
+/// Points evenly spread over the cube from -size to size; each seed gives other points.
 std::vector<glm::dvec3> random_points(std::size_t count, double size, std::uint64_t seed = 1);
 
 }  // namespace pomona

@@ -36,7 +36,7 @@ TEST(TriangleTree, FindsTheNearestPointOfWhatFacesTheSameWay) {
   const std::vector<glm::dvec3> ways = random_points(200, 1);
   std::size_t farther = 0, i = 0;
   for (const glm::dvec3& p : random_points(200, 3)) {
-    const glm::dvec3& way = ways[199 - i++];  // of other draws than the place
+    const glm::dvec3& way = ways[199 - i++];  // the direction must not depend on the place
     double min = std::numeric_limits<double>::infinity();
     for (const TriangleTree::Corners& t : tree.triangles()) {
       if (glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), way) >= 0)

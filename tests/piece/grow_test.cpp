@@ -1,4 +1,4 @@
-// Variants: what each has of its own besides its curves.
+// Variants: what differs between them besides curves.
 #include "generator/piece/grow.h"
 
 #include <filesystem>
@@ -41,7 +41,7 @@ TEST(Grow, SpotsThatStandOutGoWithTheVariant) {
   EXPECT_NE(one.raised[0].center, other.raised[0].center);
 }
 
-/// Of a part that ripens as flesh and skin do: seeds are no surfaces of the sweep.
+/// Vertices of a part that ripens as flesh and skin do: seeds are no surfaces of the sweep.
 TEST(Grow, SeedsRipenWithTheirFruit) {
   Template fruit = shipped("strawberry");
   fruit.ripeness.parts.clear();

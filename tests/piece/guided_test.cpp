@@ -83,7 +83,7 @@ TEST(Guided, points_to_the_foot_on_the_skin) {
   for (std::size_t v = 0; v < section.position.size(); ++v) {
     const glm::dvec3 out = glm::dvec3(section.position[v]) - bounds.center();
     const double away = glm::length(out);
-    if (away < 0.2 * radius) continue;  // around the middle all ways are as good
+    if (away < 0.2 * radius) continue;  // near the middle every direction is as good
     const glm::dvec3 foot = out + glm::dvec3(section.guide[v].to_skin);
     EXPECT_NEAR(glm::length(foot), radius, 0.02 * radius);
     EXPECT_GT(glm::dot(foot, out) / (glm::length(foot) * away), 0.995);
@@ -94,7 +94,7 @@ TEST(Guided, points_to_the_foot_on_the_skin) {
   }
 }
 
-/// Of two spheres in each other the outer lies at a depth of 0, the inner at that of its distance from it.
+/// Of two nested spheres the outer has depth 0, the inner its distance from the outer.
 TEST(Guided, layers_are_as_deep_as_they_lie) {
   const DiffusionSurfaces both = joined(ball(), shapes::sphere(0.5 * radius, 16, shapes::skin_paint()));
   const CrossSection section = guided(section_of(both, {"half"}), both, detailed_fruit());
@@ -141,7 +141,7 @@ TEST(Guided, two_cuts_agree_where_they_share_a_place) {
   const auto place = [](const glm::vec3& p) { return std::make_tuple(p.x, p.y, p.z); };
   for (std::size_t v = 0; v < both.position.size(); ++v) {
     const auto [entry, is_new] = known.try_emplace(place(both.position[v]), both.guide[v]);
-    // Two faces of one cut, to the bit.
+    // Two faces of one cut agree to the bit.
     EXPECT_EQ(entry->second.to_skin, both.guide[v].to_skin);
     EXPECT_EQ(entry->second.layer, both.guide[v].layer);
   }
@@ -150,7 +150,7 @@ TEST(Guided, two_cuts_agree_where_they_share_a_place) {
     const auto found = known.find(place(one.position[v]));
     if (found == known.end()) continue;
     ++shared;
-    // Faces of different cuts within a millionth of the size: what is diffused with other places is summed otherwise.
+    // Faces of different cuts agree within a millionth of the size: sums differ when other places are diffused along.
     EXPECT_LT(glm::distance(found->second.to_skin, one.guide[v].to_skin), 1e-6f * float(radius));
     EXPECT_NEAR(found->second.layer, one.guide[v].layer, 1e-6f * float(radius));
     EXPECT_EQ(found->second.share, one.guide[v].share);
@@ -158,7 +158,7 @@ TEST(Guided, two_cuts_agree_where_they_share_a_place) {
   EXPECT_GT(shared, 20);
 }
 
-/// The ball's section, of which only the middle is flesh.
+/// The ball's section; only its middle is flesh.
 CrossSection section_with_a_core() {
   CrossSection section = section_of(ball(), {"half"});
   const glm::dvec3 middle = bounds_of(ball()).center();
@@ -168,13 +168,13 @@ CrossSection section_with_a_core() {
 }
 
 TEST(Guided, left_out_is_only_what_nobody_asks_for) {
-  // Details of flesh alone, and such as count everywhere.
+  // Details of flesh alone, and details that count everywhere.
   Template core = detailed_fruit(), everywhere = detailed_fruit();
   for (DetailSketch& detail : everywhere.details) detail.parts = {0, 1};
   const CrossSection some = guided(section_with_a_core(), ball(), core);
   const CrossSection all = guided(section_with_a_core(), ball(), everywhere);
 
-  // Corners of the triangles in which the core's guides are blended are as ever; far from them there are none.
+  // Corners of triangles in which the core's guides are blended keep their guides; far from them there are none.
   std::vector<std::uint8_t> blended(some.position.size(), 0);
   for (const glm::uvec3& t : some.triangle) {
     if (some.part[t.x] != 1 && some.part[t.y] != 1 && some.part[t.z] != 1) continue;

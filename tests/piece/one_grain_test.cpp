@@ -22,7 +22,7 @@ std::optional<Solid> seed_of(const std::string& name) {
   return one_grain(grow(fruit, {}, {.as_drawn = true}), fruit, name);
 }
 
-/// Six times the volume inside, by the triangles' fronts.
+/// Six times the enclosed volume; positive if triangles face outwards.
 double six_volumes(const Solid& solid) {
   double sum = 0;
   for (const glm::uvec3& t : solid.mesh.triangle) {
@@ -59,8 +59,8 @@ TEST(OneGrain, IsOneClosedSeedOfItsFruit) {
 }
 
 TEST(OneGrain, IsNoRootAndNoStone) {
-  EXPECT_FALSE(seed_of("onion"));    // its grains are roots
-  EXPECT_FALSE(seed_of("avocado"));  // its stone is a surface
+  EXPECT_FALSE(seed_of("onion"));    // the grains of an onion are roots
+  EXPECT_FALSE(seed_of("avocado"));  // an avocado's stone is a surface
 }
 
 TEST(OneGrain, BecomesRoundWithoutOpening) {
@@ -68,7 +68,7 @@ TEST(OneGrain, BecomesRoundWithoutOpening) {
   EXPECT_EQ(round.mesh.triangle.size(), 16 * seed.mesh.triangle.size());
   EXPECT_TRUE(is_closed(round));
 
-  // Between the corners, which stay, it swells: by less than a coarse ball lacks of a ball.
+  // The corners stay, and the surface between them swells, by less than a coarse ball is smaller than a ball.
   for (std::size_t v = 0; v < seed.mesh.position.size(); ++v) EXPECT_EQ(round.mesh.position[v], seed.mesh.position[v]);
   EXPECT_GT(six_volumes(round), six_volumes(seed));
   EXPECT_LT(six_volumes(round), 1.5 * six_volumes(seed));

@@ -1,4 +1,4 @@
-// What is said of pieces, and pieces moved apart.
+// Facts about pieces, and pieces moved apart.
 #include "generator/piece/piece_facts.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(PieceFacts, MassIsByTheTemplatesDensity) {
   EXPECT_NEAR(facts_of(pieces.at(0)).mass, 840 * 2e-6, 1e-9);
 }
 
-/// As matrices are written: row by row, about the centre.
+/// The inertia about the centre, as a matrix: row by row.
 TEST(PieceFacts, AreToldWithAllRowsOfTheInertia) {
   const Solid die = dice().solids[3];
   const PieceFacts facts = facts_of(die);
@@ -53,7 +53,7 @@ TEST(PieceFacts, AreToldWithAllRowsOfTheInertia) {
       EXPECT_NEAR(told["inertia"][i][k].get<double>(), facts.inertia[i][k], 1e-6 * facts.inertia[0][0]);
     EXPECT_NEAR(told["center"][i].get<double>(), facts.center[i], 1e-6);
   }
-  // A block of 10 x 5 x 5 mm is turned about its length with the least effort, and about the others alike.
+  // A block of 10 x 5 x 5 mm has the least inertia about its length, and equal ones about the two other axes.
   EXPECT_LT(told["inertia"][0][0], told["inertia"][1][1]);
   EXPECT_NEAR(told["inertia"][1][1].get<double>(), told["inertia"][2][2].get<double>(), 1e-6 * facts.inertia[1][1]);
   EXPECT_EQ(told["closed"], true);

@@ -48,7 +48,7 @@ TEST(PieceOrigin, NumbersAreThoseOfTheWholeCut) {
   EXPECT_TRUE(slice(task, nullptr).pieces.empty());
 }
 
-/// What the program cannot cut so has no command.
+/// A cut that the program cannot make has no command.
 TEST(PieceOrigin, OtherCutFacesThanTheProgramsHaveNoSource) {
   const GrownFruit grown{shapes::seeded_fruit(), {}, shapes::seeded_fruit()};
   const Template fruit;

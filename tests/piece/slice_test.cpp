@@ -1,4 +1,4 @@
-// slice(): one fruit or many, the same pieces; what is not wanted is not diffused.
+// slice() makes the same pieces of one fruit or many; unwanted pieces are not diffused.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -103,7 +103,7 @@ TEST(Slice, TellsOfEveryPieceWhichPartsTheWholeFruitShows) {
   }
 }
 
-/// A corner too small to matter goes, unless it is asked for; what matters together does not.
+/// A corner too small to matter is dropped, unless it is asked for; corners that matter together are kept.
 TEST(Slice, LeavesOutCrumbsThatAreLessThanOneTogether) {
   const DiffusionSurfaces box = shapes::box(glm::dvec3(-0.03), glm::dvec3(0.03), 2, shapes::skin_paint());
   const GrownFruit grown{box, {}, box};

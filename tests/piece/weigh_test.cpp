@@ -24,7 +24,7 @@
 namespace pomona {
 namespace {
 
-/// Flesh with a denser core within.
+/// Flesh with a denser core.
 Template cored_fruit(double core) {
   Template fruit;
   fruit.name = "cored";
@@ -67,7 +67,7 @@ TEST(PartRegions, OfOpenSheetsAndOfHollowsAreNone) {
   EXPECT_EQ(part_regions(shapes::hollow_ball(0.04, 0.02, 8)).region.size(), 1u) << "the skin's, not the hollow's";
 }
 
-/// Mass, centre and inertia of two balls of known density, one in the other, to the tolerance that rays are made for.
+/// Mass, centre and inertia of two nested balls of known density, to the tolerance of the rays.
 TEST(Weighed, IsABallWithADenserCore) {
   const DiffusionSurfaces ball = cored_ball(0.04, 0.02);
   const std::vector<Solid> pieces = shapes::sliced(ball, {}, cored_fruit(1500)).pieces;
@@ -95,7 +95,7 @@ TEST(Weighed, IsExactWherePartsAreAsDenseAsTheFruit) {
   }
 }
 
-/// A density that no place has would be a mistake in the template.
+/// A density that no place has must be a mistake in the template.
 TEST(Weighed, PartsThatShippedTemplatesGiveADensityFillSomething) {
   for (const auto& entry : std::filesystem::directory_iterator(std::string(POMONA_SOURCE_DIR) + "/templates")) {
     if (entry.path().extension() != ".toml") continue;
@@ -112,7 +112,7 @@ TEST(Weighed, PartsThatShippedTemplatesGiveADensityFillSomething) {
   }
 }
 
-/// A template of the program, cut; and what its parts weigh point by point.
+/// One of the program's templates, cut, and the weights of its parts, summed point by point.
 struct CutOf {
   const char* fruit;
   const char* knife;
@@ -125,7 +125,7 @@ class WeighedFruit : public ::testing::TestWithParam<CutOf> {
   WeighedFruit()
       : fruit_(read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + GetParam().fruit + ".toml")),
         grown_(grow(fruit_, {0, 0}, {.as_drawn = true, .detail = 0.5})) {
-    // Five times as different as in nature: what parts weigh must not drown in what the fruit does.
+    // Densities differ five times as much as in nature: errors of the parts must not vanish in the weight of the fruit.
     for (double& density : fruit_.densities) density = std::max(50.0, fruit_.density + 5 * (density - fruit_.density));
   }
 
@@ -165,7 +165,7 @@ std::vector<Moments> summed_points(const std::vector<Solid>& pieces, const PartR
   for (double x = box.low.x; x < box.high.x; x += step) {
     for (double y = box.low.y; y < box.high.y; y += step) {
       for (double z = box.low.z; z < box.high.z; z += step, n += 3) {
-        // Somewhere in its cell: no layer of the fruit lies along a layer of the grid.
+        // Each point lies somewhere in its cell, so that no layer of the fruit coincides with a layer of the grid.
         const glm::dvec3 p =
             glm::dvec3(x, y, z) + step * glm::dvec3(draw.uniform(n), draw.uniform(n + 1), draw.uniform(n + 2));
         double density = fruit.density;
@@ -203,7 +203,7 @@ TEST_P(WeighedFruit, AgreesWithSumsOverAFineGridOfPoints) {
   for (const PartRegions::Region& region : regions.region) parts.insert(region.part);
   EXPECT_GE(parts.size(), 2u);
 
-  // With the points' own noise, 80^3 of them in the box: that of those in cells through which surfaces go.
+  // The tolerance includes the noise of the 80^3 points in the box, which comes from cells through which surfaces pass.
   const std::vector<Moments> points = summed_points(all, regions, fruit_, 80);
   double whole = 0;
   for (const Solid& piece : all) whole += facts_of(piece).mass;
@@ -233,7 +233,7 @@ TEST_P(WeighedFruit, PiecesAddUpToTheFruit) {
   EXPECT_LT(glm::distance(parts.first, all.first), 1e-6 * all.mass * glm::length(bounds_of(grown_.swept).size()));
 }
 
-/// Eighty times as many rays say the same.
+/// Eighty times as many rays give the same.
 TEST_P(WeighedFruit, RaysAreManyEnough) {
   const std::vector<Solid> all = pieces({parse_knife(GetParam().knife)});
   const PartRegions regions = part_regions(joined(grown_.swept, grown_.grains));

@@ -14,7 +14,7 @@ namespace pomona::shapes {
 
 namespace {
 
-constexpr double radius = 0.04;  // metres; all below is in radii
+constexpr double radius = 0.04;  // metres; lengths below are in radii
 
 double sine(double x) { return reproducible::sin(x); }
 double cosine(double x) { return reproducible::cos(x); }
@@ -28,7 +28,7 @@ double skin_radius(const glm::dvec3& d) {
   return 1 + 0.03 * ribs + 0.015 * sine(9 * d.x + 4 * d.y) * cosine(7 * d.z);
 }
 
-/// The colours of one surface before they vary, and by how much they do.
+/// The colours of one surface before they vary, and how much they vary.
 struct Paint {
   Color front, back;
   float variation = 0;
@@ -70,7 +70,7 @@ class Builder {
     }
   }
 
-  /// Everything from here on belongs to this surface and these parts; to the skin, if its front faces air.
+  /// Triangles added from here on belong to this surface and these parts; to the skin, if its front faces air.
   void begin(const std::string& name, std::int32_t front_part, std::int32_t back_part, bool front_hidden = false) {
     front_hidden_ = front_hidden ? 1 : 0;
     surfaces_.surface_names.push_back(name);
@@ -124,7 +124,7 @@ struct Chamber {
   }
 };
 
-/// Thirty places in a chamber, in the chamber's unit ball, that keep apart.
+/// Thirty places in a chamber, in its unit ball, that keep a distance from each other.
 std::vector<glm::dvec3> places_for_seeds(Builder& builder, const Chamber& chamber) {
   std::vector<glm::dvec3> places;
   while (places.size() < 30) {

@@ -16,7 +16,7 @@ namespace pomona::shapes {
 
 namespace {
 
-/// Gives equal grid points one vertex.
+/// Gives equal points of the grid one common vertex.
 class Vertices {
  public:
   std::uint32_t at(const glm::ivec3& key, const glm::dvec3& position) {
@@ -76,7 +76,8 @@ DiffusionSurfaces sphere(double radius, int n, const Paint& paint) {
     };
     for (int i = 0; i < n; ++i) {
       for (int j = 0; i + j < n; ++j) {
-        // One statement each: compilers differ in the order of arguments, and vertices are numbered as they come.
+        // Each in a statement of its own: compilers evaluate arguments in different orders, and vertices are numbered
+        // as they come.
         const std::uint32_t a = vertex(i, j);
         const std::uint32_t b = vertex(i + 1, j);
         const std::uint32_t c = vertex(i, j + 1);

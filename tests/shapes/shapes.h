@@ -8,7 +8,7 @@
 
 namespace pomona::shapes {
 
-/// How a shape's surface looks; the same over all of it.
+/// How a shape's surface looks, the same everywhere.
 struct Paint {
   Color front{0.8f, 0.1f, 0.1f};
   Color back{0.9f, 0.8f, 0.5f};
@@ -26,8 +26,8 @@ Paint skin_paint();
 /// A triangle mesh without attributes becomes one surface.
 DiffusionSurfaces painted(std::vector<glm::vec3> position, std::vector<glm::uvec3> triangle, const Paint& paint);
 
-/// A sphere around the origin, front outside: an octahedron with each edge in `n` pieces, blown up; 8 n^2
-/// triangles, symmetric to the bit in all three axes.
+/// A sphere around the origin, front outside: an octahedron with each edge in `n` pieces, its vertices moved to the
+/// sphere; 8 n^2 triangles, symmetric to the bit in all three axes.
 DiffusionSurfaces sphere(double radius, int n, const Paint& paint = {});
 
 /// An axis-aligned box, front outside, each face as 2 n^2 triangles.
@@ -48,17 +48,17 @@ DiffusionSurfaces hollow_ball(double outer, double inner, int n);
 /// A torus around the y axis, front outside: `major` to the middle of the tube of radius `minor`.
 DiffusionSurfaces torus(double major, double minor, int around, int along, const Paint& paint = skin_paint());
 
-/// The same surfaces, moved.
+/// The surfaces, moved.
 DiffusionSurfaces moved(DiffusionSurfaces surfaces, const glm::dvec3& by);
 
-/// The same surfaces turned about the origin to a generic position (no axis stays an axis).
+/// The surfaces, turned about the origin to a generic position (no axis stays an axis).
 DiffusionSurfaces tilted(DiffusionSurfaces surfaces);
 
-/// The same surfaces inside out: every triangle reversed, sides exchanged with it, so that the same points
-/// keep the same colours to either hand.
+/// The surfaces inside out: every triangle is reversed and its sides exchanged, so each side in space keeps its
+/// colours.
 DiffusionSurfaces turned_inside_out(DiffusionSurfaces surfaces);
 
-/// Volume between the surfaces and the origin, by the divergence theorem; exact for closed meshes.
+/// The volume between the surfaces and the origin, by the divergence theorem; exact for closed meshes.
 double signed_volume(const DiffusionSurfaces& surfaces);
 
 double area(const DiffusionSurfaces& surfaces);

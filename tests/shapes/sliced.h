@@ -7,7 +7,7 @@
 
 namespace pomona::shapes {
 
-/// slice() of surfaces that nothing has to be swept or scattered for.
+/// slice() of given surfaces, without sweeping and scattering.
 Slices sliced(const DiffusionSurfaces& surfaces, const std::vector<Knife>& knives, const Template& fruit = {},
               const Diffuser* diffuser = nullptr, const SliceOptions& options = {});
 

@@ -67,7 +67,7 @@ TEST(Bodies, OverlappingAndTouchingBodiesStayTwo) {
 }
 
 TEST(Bodies, ABodyThatTouchesOthersAtAllItsEdgesIsOneStill) {
-  // A cube, and at each of its twelve edges one that touches it there alone, in every order.
+  // A cube, and at each of its twelve edges another cube that touches only this edge, in every order.
   std::vector<glm::dvec3> places{{0, 0, 0}};
   for (const double a : {-1.0, 1.0}) {
     for (const double b : {-1.0, 1.0}) places.insert(places.end(), {{a, b, 0}, {a, 0, b}, {0, a, b}});
@@ -90,7 +90,7 @@ TEST(Containment, IsToldUntilItsBudgetIsSpent) {
   const DiffusionSurfaces both = joined(hollow_ball(1, 0.5, 2), moved(sphere(0.1, 1, skin_paint()), {0, 0.7, 0}));
   const std::vector<Shell> shells = measured_shells(both, find_shells(both));
   ASSERT_EQ(shells.size(), 3u);
-  // Each question is asked of eight of the inner shell's triangles, and looks at the outer shell's 32.
+  // Each query asks for eight of the inner shell's triangles, and visits the outer shell's 32.
   Containment containment(both, 2.5 * 8 * 32);
   EXPECT_TRUE(containment.contains(shells[0], shells[1]));
   EXPECT_FALSE(containment.contains(shells[1], shells[0])) << "a box in no box costs nothing";
@@ -133,7 +133,7 @@ TEST(Bodies, BothSidesHiddenIsAnError) {
 }
 
 TEST(Bodies, SeamsWeldAndDegenerateTrianglesAreHarmless) {
-  // Every triangle with vertices of its own, and three that have no area.
+  // Every triangle has vertices of its own; three triangles have no area.
   const DiffusionSurfaces ball = sphere(1, 4, skin_paint());
   std::vector<glm::vec3> position;
   std::vector<glm::uvec3> triangle;

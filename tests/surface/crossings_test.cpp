@@ -12,7 +12,7 @@
 namespace pomona {
 namespace {
 
-/// Every two triangles by the definition, one after the other, in long doubles; for small generic shapes.
+/// Tests each pair of triangles by the definition, in long doubles; for small generic shapes.
 std::size_t counted_one_by_one(const DiffusionSurfaces& surfaces, std::size_t first_of_second) {
   using Vector = glm::tvec3<long double>;
   const auto corner = [&](std::size_t t, int i) { return Vector(surfaces.position[surfaces.triangle[t][i]]); };
@@ -97,7 +97,7 @@ TEST(Crossings, OfPiecesOfOneSurfaceAndOfAPieceWithItself) {
 }
 
 TEST(Crossings, AreSeenHoweverSlight) {
-  // A sheet through the topmost corner of a box by as little as floats can tell apart, through it, and just above it.
+  // A sheet at the topmost corner of a box: one step of a float below it, at it, and one step above it.
   const DiffusionSurfaces box = shapes::tilted(shapes::box({0, 0, 0}, {1, 1, 1}));
   float top = 0;
   for (const glm::vec3& p : box.position) top = std::max(top, p.y);
@@ -112,7 +112,7 @@ TEST(Crossings, AreSeenHoweverSlight) {
 }
 
 TEST(Crossings, AreTheSameOfTheSmallestFruit) {
-  // Powers of two, so that nothing is rounded otherwise.
+  // Factors are powers of two, so that rounding stays the same.
   const DiffusionSurfaces ball = shapes::sphere(1, 6);
   DiffusionSurfaces both = joined(ball, shapes::moved(shapes::tilted(ball), {1.3, 0.1, 0.07}));
   const std::size_t crossings = crossing_triangles(both).size();

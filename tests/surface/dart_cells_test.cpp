@@ -1,4 +1,4 @@
-// Balls in cells: what may meet a ball is asked about.
+// Balls in cells: every ball that may meet another is visited.
 #include "generator/surface/sweep/dart_cells.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ struct Ball {
   double diameter;
 };
 
-/// Around the origin, some of them many times as wide as others.
+/// Balls around the origin, some many times as wide as others.
 std::vector<Ball> random_balls(std::size_t count, std::uint64_t seed) {
   const RandomStream random({seed, 0}, "balls");
   std::vector<Ball> balls;

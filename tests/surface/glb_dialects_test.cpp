@@ -1,4 +1,4 @@
-// What .glb files say beyond meshes at nodes: read as a viewer shows it, or told by name.
+// What .glb files may hold besides meshes at nodes is read as viewers show it, or reported by name.
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -35,7 +35,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// One triangle, and values behind it: floats of a further accessor each.
+/// One triangle, followed by values: each list of floats has an accessor of its own.
 struct Extra {
   std::string type;
   std::vector<float> values;
@@ -105,7 +105,7 @@ TEST(GlbDialect, InstancesAreAllRead) {
       triangle_glb(node, plain_mesh, {{"VEC3", {0, 0, 0, 10, 0, 0}}, {"VEC3", {1, 1, 1, 2, 2, -2}}}), "x", "");
   ASSERT_EQ(mesh.triangle.size(), 2u);
   EXPECT_EQ(mesh.position[3], glm::dvec3(10, 5, 0));
-  // The second is mirrored: it would turn its back, did not two of its corners change places.
+  // The second is mirrored: it would show its back if two of its corners did not change places.
   EXPECT_EQ(mesh.position[4], glm::dvec3(10, 7, 0));
   EXPECT_EQ(mesh.position[5], glm::dvec3(12, 5, 0));
 }
@@ -142,7 +142,7 @@ TEST(GlbDialect, StripsAndFansAreTriangles) {
   const auto with_mode = [](const char* mode) {
     return glb(replaced(cube_json(), "\"indices\":2", std::string("\"indices\":2,\"mode\":") + mode), cube_bin());
   };
-  // 2 6 7 2 7 3: the strip has flat triangles, which are none.
+  // 2 6 7 2 7 3: triangles of the strip without area do not count.
   EXPECT_EQ(parse_glb(with_mode("6"), "x", "lid").triangle.size(), 2u);
   EXPECT_GT(parse_glb(with_mode("5"), "x", "lid").triangle.size(), 1u);
 }

@@ -1,4 +1,4 @@
-// What grains are formed like, how they lie and how they are coloured.
+// The shapes of grains, how they lie, and their colours.
 #include <algorithm>
 #include <cmath>
 
@@ -94,7 +94,7 @@ TEST(GrainShapes, FillTheirBoxAndNoMore) {
   }
 }
 
-/// Of each grain: from its tail to its tip.
+/// The vector from tail to tip of each grain.
 std::vector<glm::dvec3> axes(const DiffusionSurfaces& grains) {
   std::vector<glm::dvec3> found;
   for (std::size_t v = 0; v < grains.vertex_count(); v += per_grain) {

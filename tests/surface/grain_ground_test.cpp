@@ -29,7 +29,7 @@ GrainSketch round_grains(double poisson_radius) {
   return sketch;
 }
 
-/// A ball of 8 cm, in folds if wanted.
+/// A ball of 8 cm, optionally with folds.
 Template ball(int folds = 0) { return fruit({around_axis(meridian(0.04), circle(1))}, folds); }
 
 /// The darts of one sketch over the first surface of a fruit.
@@ -39,7 +39,7 @@ std::vector<Dart> darts_on(const Template& fruit, const GrainSketch& sketch, std
   return thrown_darts(grain_targets(grids, sketch, draws.folds), sketch, draws, {2}, others);
 }
 
-/// A ball's share of its meridian from the bottom, 0..1.
+/// The place of a point along a ball's meridian, from the bottom, 0..1.
 double share_along(const glm::dvec3& p) { return reproducible::acos(std::clamp((0.04 - p.y) / 0.04, -1.0, 1.0)) / pi; }
 
 double fold_angle(const glm::dvec3& p) {
@@ -66,7 +66,7 @@ TEST(GrainDensity, CountsFollowItsIntegral) {
     EXPECT_NEAR(static_cast<double>(darts_on(ball(), sketch).size()), density * full, 0.04 * density * full) << density;
   }
 
-  // From none at the bottom to all at the top: half by symmetry.
+  // The density rises from 0 at the bottom to 1 at the top: half of all places, by symmetry.
   GrainSketch sketch = round_grains(0.0015);
   sketch.ground.density_along = {{{0, 0}, {1, 1}}};
   EXPECT_NEAR(static_cast<double>(darts_on(ball(), sketch).size()), 0.5 * full, 0.03 * 0.5 * full);
@@ -199,7 +199,7 @@ TEST(GrainLimits, SharesLeaveSomePlacesAndSomeFoldsEmpty) {
 }
 
 TEST(GrainSpacingRule, MayHoldWhateverTheyFace) {
-  // In a chamber 5 mm deep and 8 mm outside, those on opposite walls come near each other.
+  // In a chamber 5 mm deep, 8 mm from the axis, grains on opposite walls come near each other.
   const std::vector<Curve> loops{circle_at({0, 0.03}, 0.004), circle_at({0, -0.03}, 0.004)};
   const Template thin = fruit({in_fold(circle_at({0.03, 0.04}, 0.004), loops)}, 2);
   const auto nearest = [](const std::vector<Dart>& darts) {
@@ -236,7 +236,7 @@ TEST(GrainSpacingRule, SolidGrainsDoNotOverlap) {
     int found = 0;
     for (std::size_t i = 0; i < darts.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (glm::distance(darts[i].center, darts[j].center) > 0.012) continue;  // longer than any is
+        if (glm::distance(darts[i].center, darts[j].center) > 0.012) continue;  // longer than any grain
         found += ellipsoids_overlap(darts[i].center, darts[i].pose, darts[j].center, darts[j].pose) ? 1 : 0;
       }
     }
@@ -270,7 +270,7 @@ GrainPose some_pose(const RandomStream& random, std::uint64_t& draw) {
   return pose;
 }
 
-/// How far the ellipsoid reaches from its centre.
+/// The distance of the ellipsoid's surface from its centre.
 double reach_towards(const GrainPose& pose, const glm::dvec3& way) {
   return glm::length(glm::dvec3(glm::dot(pose.thickness, way), glm::dot(pose.length, way), glm::dot(pose.width, way)));
 }
@@ -323,7 +323,7 @@ TEST(GrainSpacingRule, AKindDoesNotChangeForAnotherThatJoins) {
 
 TEST(GrainLimits, AMillionGrainsAreRefusedBeforeTheFirstDart) {
   Template made = ball();
-  made.grains = {round_grains(0.0001)};  // 1 400 000 of them
+  made.grains = {round_grains(0.0001)};  // 1 400 000 grains
   made.grains[0].ground.density_along = {{{0, 0.7}, {1, 1}}};
   try {
     scatter_grains(made, {});

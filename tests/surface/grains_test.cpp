@@ -40,7 +40,7 @@ Template seeded(const GrainSketch& grains) {
 
 constexpr std::size_t vertices_per_grain = 2 + 8 * 4;
 
-/// Each grain's middle: between its two poles.
+/// The middle of each grain: half-way between its two poles.
 std::vector<glm::dvec3> centers(const DiffusionSurfaces& grains) {
   std::vector<glm::dvec3> found;
   for (std::size_t v = 0; v < grains.vertex_count(); v += vertices_per_grain) {
@@ -80,7 +80,7 @@ TEST(Grains, TheSameKeyScattersTheSameGrains) {
 }
 
 TEST(Grains, AreTheSameForAnyNumberOfThreads) {
-  // Solid ones and ones that keep apart from others, in more rounds than one.
+  // Solid grains, and grains that keep apart from others, over several rounds.
   GrainSketch large = seeds(0.006), small = seeds(0.002);
   small.name = "small";
   small.spacing.solid = true;
@@ -128,7 +128,7 @@ TEST(Grains, TipsRunUpTheCurveAndLieFlat) {
     EXPECT_GT(tip.y - tail.y, 0.5f * 0.004f);
     EXPECT_NEAR(glm::distance(tail, tip), 0.004, 1e-7);
     EXPECT_NEAR(glm::distance(glm::dvec3(tip), middle), glm::distance(glm::dvec3(tail), middle), 1e-4);
-    // Within the band: 0.3 of the meridian is 54 degrees from the pole.
+    // Grains lie within the band: 0.3 of the meridian is 54 degrees from the pole.
     const float y = 0.5f * (tip.y + tail.y);
     EXPECT_GT(y, 0.04 * (1 - 0.588) - 1e-4);
     EXPECT_LT(y, 0.04 * (1 + 0.588) + 1e-4);
@@ -174,7 +174,7 @@ TEST(Grains, TooManyOrTooFineIsRefusedAtOnce) {
   EXPECT_THAT(message(0.0003), testing::HasSubstr("more than 20 000"));
 }
 
-/// Found only in growing, and still told where the template says it.
+/// The mistake is found only while growing, and still reported at its place in the template.
 TEST(Grains, TooFineIsToldAtItsPlaceInTheTemplate) {
   const TemporaryFolder folder;
   Template made = seeded(seeds(1e-5));

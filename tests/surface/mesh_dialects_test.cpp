@@ -1,4 +1,4 @@
-// Meshes as programs write them that follow the formats in their own way: read as they are meant, or told.
+// Meshes of programs that follow the formats in their own way are read as they are meant, or reported.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -76,7 +76,7 @@ TEST(ObjDialect, ABackslashJoinsLines) {
   EXPECT_THAT(message_of([] { parse_obj("v 0 0 \\\n  x\n", "x.obj", ""); }),
               HasSubstr("x.obj:2:3: error: this is not"));
   EXPECT_THAT(message_of([] { parse_obj("v 0 0 \\\n 0\nv 1 \\\n\\\n y\n", "x.obj", ""); }), HasSubstr("x.obj:5:2"));
-  // Neither a comment nor a name of a file goes on.
+  // Neither a comment nor the name of a file continues on the next line.
   expect_same(parse_obj("# from C:\\meshes\\\nmtllib C:\\looks\\\n" + tetrahedron, "x", ""), plain);
 }
 
@@ -166,7 +166,7 @@ TEST(PlyDialect, StripsAreTriangles) {
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
       "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
       ply_vertices + "10 0 2 1 3 -1 0 3 2 -1 0 1 \n";
-  // 0 2 1, 2 3 1 turned, then 0 3 2; and the rest is too short.
+  // 0 2 1, 2 3 1 turned, then 0 3 2; the last strips are too short.
   const PlainMesh mesh = parse_plain_surfaces(strips, "x", "");
   EXPECT_EQ(mesh.triangle.size(), 3u);
   const DiffusionSurfaces surfaces = parse_surfaces(strips, "x");
@@ -277,7 +277,7 @@ TEST(Endings, MayBeInCapitals) {
   EXPECT_EQ(read_plain_mesh(folder / "A.GLB").triangle.size(), 12u);
 }
 
-/// Line ends of old Macs: the end of the line before belongs to no empty line.
+/// Line ends of old Macs: the end of the previous line makes no empty line.
 TEST(PlyDialect, EmptyLinesBetweenBareCarriageReturnsAreTold) {
   for (const char* text : {"ply\r\r\r\r", "ply\r\rformat ascii 1.0\rend_header\r", "ply\r\n\r\n\r\n"})
     EXPECT_THROW(parse_surfaces(text, "x.ply"), Error) << text;

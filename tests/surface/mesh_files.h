@@ -1,4 +1,4 @@
-// Meshes as every kind of file a modelling tool may hand us.
+// Meshes as every kind of file that a modelling tool may write.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace pomona::mesh_files {
 std::string cube_obj();
 
 /// The same as glTF: a node for each object, moved 1 up, with COLOR_0 of one channel each. `change` replaces text in
-/// the JSON, to make mistakes; `bin` is the buffer, to be cut or spoilt.
+/// the JSON, to make mistakes; `bin` is the buffer, which may be cut short or spoilt.
 struct Change {
   std::string from, to;
 };
@@ -19,7 +19,7 @@ std::string cube_json(const Change& change = {});
 std::string cube_bin();
 std::string glb(std::string json, std::string bin);
 
-/// The cube of cube_glb in one line.
+/// The cube of cube_glb(), made in one line.
 inline std::string cube_glb(const Change& change = {}) { return glb(cube_json(change), cube_bin()); }
 
 /// One object of that name, as .obj and as .glb, both exact; `surfaces` gives positions and triangles.

@@ -1,4 +1,4 @@
-// Meshes from modelling tools: every door gives the same surfaces, and hostile files a clear error.
+// Meshes from modelling tools: every format gives the same surfaces, and hostile files give a clear error.
 #include "generator/surface/sweep/mesh_surfaces.h"
 
 #include <algorithm>
@@ -105,7 +105,7 @@ TEST(Mesh, LiesWhereTheTemplatePutsIt) {
   ASSERT_EQ(lid.triangle_count(), 2u);
   EXPECT_EQ(lid.vertex_count(), 4u);
   for (const glm::vec3& p : lid.position) {
-    EXPECT_FLOAT_EQ(p.z, -0.001f);  // the file's Y is to the back
+    EXPECT_FLOAT_EQ(p.z, -0.001f);  // the file's Y axis points to the back
     EXPECT_NEAR(std::fabs(p.y - 0.5f), 0.001f, 1e-7f);
   }
   mesh.flip = true;
@@ -209,7 +209,7 @@ TEST(Kidney, TemplateAndFileAreTheSame) {
   EXPECT_TRUE(write_surfaces(grown) == write_surfaces(read_surfaces(templates / "kidney.ply")));
 }
 
-/// The triangles that face air, or those of one surface.
+/// The number of triangles that face air, or of those of one surface.
 DiffusionSurfaces chosen(const DiffusionSurfaces& all, const std::string& surface) {
   DiffusionSurfaces result = all;
   result.triangle.clear();
@@ -425,7 +425,7 @@ TEST(MeshInTemplate, WhatIsWrongInALineOfItsFileIsToldThere) {
   EXPECT_THAT(told("v 0 0 0\n"), HasSubstr("x.obj:1:1: error: holds no faces"));
 }
 
-/// Each may be in order; together they would fill the memory.
+/// Each is allowed; all together would fill the memory.
 TEST(Mesh, AllOfATemplateHaveALimitTogether) {
   const Template fruit = fruit_of({sketch_of(MeshFormat::obj, cube_obj())});
   EXPECT_NO_THROW(check_meshes_together(fruit, fruit.meshes[0], max_mesh_triangles));

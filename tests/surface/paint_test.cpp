@@ -81,7 +81,7 @@ TEST(Paint, folds_take_their_tints_in_turn_and_share_their_lines) {
     EXPECT_FLOAT_EQ(middle[i].g, ground.g);
   }
 
-  // More folds take the tints again, in turn.
+  // If there are more folds than tints, tints repeat in turn.
   const std::vector<Color> more = ring(sweep(with_folds(drawn, 4)), 20);
   EXPECT_FLOAT_EQ(more[12].r, ground.r);
   EXPECT_FLOAT_EQ(more[36].r, ground.r * 0.5f);
@@ -236,7 +236,7 @@ TEST(Spots, softness_strength_stretch_and_raggedness_do_what_they_say) {
   EXPECT_EQ(cover(0, 1.1), 0);
   spot.stretch = 1;
 
-  // Whatever the draw, the rim stays within the raggedness of the circle.
+  // For every draw the rim stays as near to the circle as its raggedness says.
   SurfaceSketch sketch = ball();
   SpotSketch ragged = scattered(0.008, 0.004);
   ragged.raggedness = 0.6;
@@ -265,7 +265,7 @@ TEST(Spots, scattered_ones_keep_their_spacing_and_band_and_count) {
   spot.size_max = 0.003;
   sketch.front.spots = {spot};
   const std::vector<Spot> all = spots_of(sketch);
-  // Full: between half and all of what a hexagonal packing of the ball's surface holds.
+  // A full surface: between half and all of the spots that a hexagonal packing of the ball's surface holds.
   const double max = 4 * pi * 0.04 * 0.04 / (0.005 * 0.005 * std::sqrt(3.0) / 2);
   EXPECT_GT(static_cast<double>(all.size()), 0.5 * max);
   EXPECT_LT(static_cast<double>(all.size()), max);
@@ -309,7 +309,7 @@ TEST(Spots, they_lie_elsewhere_in_other_variants_and_nowhere_else_in_the_same) {
   EXPECT_NE(drawn.front_color, sweep(made, {.key = {1, 0}}).front_color);
   EXPECT_NE(drawn.front_color, sweep(made, {.key = {0, 1}}).front_color);
 
-  // Front and back, and two kinds on one side, are strewn by themselves.
+  // Front and back are strewn independently, and so are two kinds on one side.
   const auto centers = [&](SideOf side) {
     std::vector<glm::dvec3> found;
     for (const Spot& spot : placed_spots(made, sketch, side, swept_grids(made, sketch, {}), {})) {

@@ -40,7 +40,7 @@ TEST(PartRegions, ThatTouchAreTwo) {
   EXPECT_EQ(regions.part_names[static_cast<std::size_t>(regions.region[1].part)], "gel");
 }
 
-/// Of two parts that a box shows within, that one which shows more, wherever the box lies.
+/// If a box shows two parts inside, the one with more area counts, wherever the box lies.
 TEST(PartRegions, HaveThePartThatShowsMostOfItselfWithin) {
   const RandomStream random({}, "tests/parts of a box");
   for (std::uint64_t n = 0; n < 40; ++n) {
@@ -48,7 +48,7 @@ TEST(PartRegions, HaveThePartThatShowsMostOfItselfWithin) {
     cube.part_names.emplace_back("stone");
     const auto stone = static_cast<std::int32_t>(cube.part_names.size()) - 1;
 
-    // Of the twelve triangles, equal in area, as many as are drawn until five, or seven, are of the stone.
+    // Of the twelve triangles, all of the same area, five or seven are of the stone.
     int left = n % 2 == 0 ? 5 : 7;
     for (std::uint64_t draw = 0; left > 0; ++draw) {
       std::int32_t& part = cube.back_part[random.below(100 * n + draw, 12)];

@@ -106,7 +106,7 @@ TEST(Sheets, BlurStopsShortOfFoldingOver) {
   EXPECT_EQ(turned, 0u);
 }
 
-/// Of a skin one sheet moves alone: into the ball, where it must stop, or out of a hollow, where it never folds.
+/// Only one sheet of a skin moves: into the ball, where it must stop, or out of a hollow, where it never folds.
 TEST(Sheets, ASkinsBlurStopsWhereItWouldFoldAndNowhereElse) {
   const DiffusionSurfaces ball = sphere(0.01, 8, blurred(skin_paint(), 0.5f));
   for (const DiffusionSurfaces& skin : {ball, turned_inside_out(ball)}) {

@@ -7,7 +7,7 @@
 
 namespace pomona::sketches {
 
-/// A closed loop around the axis: radius as a function of the angle.
+/// A closed loop around the axis, given by its radius as a function of the angle.
 Curve loop(const std::function<double(double)>& radius, int points = 720);
 Curve circle(double radius);
 

@@ -27,7 +27,8 @@ TEST(StraySurfaces, OfWhatLiesWithinAreNone) {
 }
 
 TEST(StraySurfaces, AreToldByNameAndShare) {
-  // Of a ball's area around a point of a larger one's skin (1 + r / 2R) / 2 lies outside, by the law of cosines.
+  // A ball of radius r around a point of the skin of a ball of radius R has the share (1 + r / 2R) / 2 of its area
+  // outside, by the law of cosines.
   EXPECT_THAT(warnings_of(ball_with_core_at(1)),
               testing::ElementsAre(testing::ContainsRegex("surface \"core\": 6[0-3] % of it lies outside")));
   EXPECT_THAT(warnings_of(ball_with_core_at(2)), testing::ElementsAre(testing::HasSubstr("100 %")));

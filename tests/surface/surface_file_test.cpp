@@ -135,7 +135,7 @@ std::string tetrahedron_at_the_end(const std::string& type, std::uint32_t vertic
   return bytes;
 }
 
-/// The highest index that a type can say must not be taken for a negative one.
+/// The highest index of a type must not be read as a negative one.
 template <typename Index>
 void expect_tetrahedron(const std::vector<std::string>& types) {
   const auto highest = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
@@ -218,7 +218,7 @@ TEST(SurfaceFile, TrianglesMayHaveVerticesOfTheirOwn) {
 
 TEST(SurfaceFile, WhatIsTooLargeIsRefusedUnreadAndByName) {
   const std::size_t size = (std::size_t{512} << 20) + 1;
-  const auto bytes = std::make_unique_for_overwrite<char[]>(size);  // nobody looks at them, so that they take no memory
+  const auto bytes = std::make_unique_for_overwrite<char[]>(size);  // nobody reads them, so they take no memory
   try {
     parse_surfaces({bytes.get(), size}, "huge.ply");
     FAIL() << "was read";
@@ -239,7 +239,7 @@ TEST(SurfaceFile, AMissingFileIsMissingInput) {
 
 struct BadFile {
   const char* name;
-  const char* message;  ///< from the place on
+  const char* message;  ///< the message, beginning with its place
 };
 
 class BadSurfaceFile : public testing::TestWithParam<BadFile> {};

@@ -112,12 +112,12 @@ TEST(Sweep, TheReferenceAzimuthCarriesTheProfile) {
 }
 
 TEST(Sweep, AVariantKeepsTheScaleOfTheDrawing) {
-  // The drawing's loop had radius 1, the variant's is larger by a fifth.
+  // The drawn loop has radius 1; the variant's is larger by a fifth.
   SurfaceSketch sketch = around_axis(meridian(0.04), circle(1.2));
   sketch.reference = ReferenceRadii{0, 1};
   EXPECT_NEAR(bounds_of(sweep(fruit({sketch}))).high.x, 0.048, 1e-4);
 
-  // A chamber twice as deep, outwards: the drawing's reached from 2 to 4 cm.
+  // A chamber twice as deep, outwards: the drawn one reaches from 2 to 4 cm.
   SurfaceSketch chamber = in_fold(circle_at({0.03, 0.04}, 0.01), {circle_at({0.04, 0}, 0.02), {}});
   chamber.reference = ReferenceRadii{0.02, 0.04};
   Template made = fruit({chamber}, 2);

@@ -1,5 +1,5 @@
-// Every drawing in sketches/bad/ is good.svg with one mistake; each must be told at the place of the template that
-// needs it, with the curve's name and its place in the drawing, and with what to redraw.
+// Every drawing in sketches/bad/ is good.svg with one mistake; each must be reported at the place of the template that
+// needs the curve, with the curve's name, its place in the drawing, and what to redraw.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -159,7 +159,7 @@ TEST(BadSketches, each_is_told_with_name_place_and_remedy) {
       EXPECT_EQ(first.place.column, mistake.column) << error.what();
       EXPECT_FALSE(first.hint.empty());
 
-      // Messages hold the path as the program would print it; the table holds what follows its folder.
+      // Messages have the whole path; the table has only what follows the folder.
       std::string message = first.message;
       const std::string folder = (here / "bad/").string();
       for (std::size_t at; (at = message.find(folder)) != std::string::npos;) message.erase(at, folder.size());

@@ -1,4 +1,4 @@
-// Every file in bad/ is good.toml with one mistake; each must be found where it is.
+// Every file in bad/ is good.toml with one mistake; each must be reported at its place.
 #include <algorithm>
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-// The plum of good.toml, with more at its end.
+// The plum of good.toml, with text added at its end.
 #pragma once
 
 #include <span>
@@ -10,14 +10,14 @@ namespace pomona {
 
 Template plum_and(const std::string& more);
 
-/// Text after good.toml in which something is wrong.
+/// A text after good.toml that has a mistake.
 struct Mistake {
   const char* text;
   int line, column;  ///< in it
   const char* message;
 };
 
-/// Each must be bad data, told first of all, where it is, in these words.
+/// Each must give bad data: the first message has this place and these words.
 void expect_found(std::span<const Mistake> mistakes);
 
 }  // namespace pomona

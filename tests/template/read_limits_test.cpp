@@ -27,7 +27,7 @@ std::string good_fruit() {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// What is wrong with a text, after `read` has read it.
+/// The messages about a text, after `read` has read it.
 template <typename Read>
 std::string complaint(const std::string& toml, Read read) {
   try {
@@ -95,7 +95,7 @@ TEST(EndedOnAxis, TakesAwayWhatWaversAboutTheAxis) {
   EXPECT_EQ(ended.points.front().x, 0);
   EXPECT_EQ(ended.points.back().x, 0);
   for (const glm::dvec2& p : ended.points) EXPECT_GE(p.x, 0);
-  // Farther off than a hundredth of the width nothing is anybody's hand.
+  // An end farther off than a hundredth of the width is meant, not a slip of the hand.
   curve.points.front().x = 0.0101;
   EXPECT_EQ(ended_on_axis(curve).points.front().x, 0.0101);
 }

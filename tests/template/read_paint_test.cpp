@@ -1,4 +1,4 @@
-// Painted sides as template files spell them, and what is said of mistakes.
+// Painted sides in template files, and messages about mistakes.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -40,7 +40,7 @@ TEST(ReadPaint, a_colour_may_change_over_the_turn_and_from_fold_to_fold) {
 }
 
 TEST(ReadPaint, what_changes_over_the_turn_goes_on_over_the_seam) {
-  // From 0.75 to 0.25 is half a turn: in its middle the mean.
+  // From 0.75 to 0.25 is half a turn: its middle has the mean colour.
   const Ramp<double> over = skin_with(
                                 "color = \"#804020\", coats = [{ color = \"#ffffff\", "
                                 "turn = [[0.25, 0.2], [0.75, 0.8]] }]")
@@ -169,7 +169,7 @@ const Mistake mistakes[] = {
      R"(relief must be a length)"},
 };
 
-/// What is said where the text has its @, which is no part of it.
+/// The message at the place of the @, which is removed from the text.
 std::string said_at_mark(std::string text) {
   const std::size_t mark = text.find('@');
   const int line =

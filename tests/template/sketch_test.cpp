@@ -71,7 +71,7 @@ TEST(Sketch, transforms_of_groups_and_shapes_are_applied) {
 }
 
 TEST(Sketch, arcs_and_circles_are_flattened_where_they_lie) {
-  // A circle of radius 10, made an ellipse by its group and then turned.
+  // A circle of radius 10, which its group makes an ellipse and then turns.
   const auto found =
       points(sketch(svg("", R"(<g transform='translate(50,50) rotate(30) scale(2,1)'><circle id="c" r="10"/></g>)")),
              SketchView::top);
@@ -110,7 +110,7 @@ TEST(Sketch, basic_shapes_are_curves) {
 TEST(Sketch, clones_are_drawn_where_they_stand) {
   const std::string original =
       R"(<g transform='translate(5,0)'><path id="o" transform='scale(2)' d="M1,0 L2,-3"/></g>)";
-  // The original alone: 2,0 to 4,-6, without its group; the clone moves it by 20,-10.
+  // A clone shows the original without its group, 2,0 to 4,-6, and moves it by 20,-10.
   expect_points(points(sketch(svg(original + R"(<use id="c" x="20" y="-10" href="#o"/>)"))), {{12, 10}, {14, 16}});
   expect_points(points(sketch(svg(original + R"(<use id="c" transform='translate(20,-10)' xlink:href="#o"/>)"))),
                 {{12, 10}, {14, 16}});
@@ -132,7 +132,7 @@ TEST(Sketch, hidden_layers_count) {
 }
 
 TEST(Sketch, a_tilted_axis_is_put_upright) {
-  // Along 3,-4: what lies 5 to its right by 4,3 comes to lie at 5,0.
+  // The axis runs along 3,-4: a point 5 to its right, at 4,3, comes to lie at 5,0.
   const auto found = points(sketch(svg(R"(<path id="axis" d="M10,0 l30,-40"/><path id="c" d="M14,3 L44,-37"/>)")));
   expect_points(found, {{5, 0}, {5, 50}});
 }
@@ -172,7 +172,7 @@ TEST(Sketch, fold_lines_give_angles_against_the_clock) {
                           .fold_angles(3);
   EXPECT_EQ(angles, (std::vector<double>{0, radians(90), radians(225)}));
   EXPECT_TRUE(sketch(svg("")).fold_angles(3).empty());
-  // A hair below the right is still the first.
+  // A wall just below the right is still the first one.
   EXPECT_EQ(sketch(svg("", R"(<path id="fold 1" d="M50,50 l30,0.1"/>)")).fold_angles(1), std::vector<double>{0});
 }
 
@@ -186,7 +186,7 @@ TEST(Sketch, a_first_fold_below_the_right_turns_the_view) {
   const auto along = points(drawn, SketchView::top);
   EXPECT_LT(glm::distance(along.back(), glm::dvec2(20, 0)), 1e-3);
 
-  // Numbered with the clock it is a mistake all the same.
+  // If they are numbered clockwise, it is still a mistake.
   EXPECT_THROW(sketch(svg("", R"(<path id="fold 1" d="M50,50 l17,10"/><path id="fold 2" d="M50,50 l-19,7"/>
       <path id="fold 3" d="M50,50 v-20"/>)"))
                    .fold_angles(3),

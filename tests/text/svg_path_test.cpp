@@ -39,7 +39,7 @@ TEST(SvgPath, circles_of_arcs_stay_within_the_tolerance) {
 }
 
 TEST(SvgPath, arcs_take_the_way_their_flags_say) {
-  // Around the same ends four arcs of a circle: y is up in the result.
+  // The four arcs of a circle between the same ends; y points up in the result.
   const auto middle = [](const std::string& flags) {
     return point_at(parse_svg_path("M -10 0 A 12.5 12.5 0 " + flags + " 10 0")[0], 0.5);
   };
@@ -50,8 +50,7 @@ TEST(SvgPath, arcs_take_the_way_their_flags_say) {
   EXPECT_NEAR(point_at(parse_svg_path("M -10 0 A 20 5 30 0 1 10 0")[0], 1).x, 0.01, 1e-9);
 }
 
-/// How far the middles of the chords are from a cubic curve at most, in the drawing's units, y upwards as in the
-/// result.
+/// The largest distance of the chords' middles from a cubic curve, in the drawing's units, y upwards as in the result.
 double farthest_chord(const Curve& curve, glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
   double farthest = 0;
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
@@ -121,7 +120,7 @@ TEST(SvgPath, says_what_is_wrong) {
 }
 
 TEST(SvgPath, survives_anything) {
-  // Random strings of what path data is made of: a result or BadPath, and always finite.
+  // Random strings of the letters of path data give a result or BadPath; numbers are always finite.
   const RandomStream random({1, 0}, "svg path test");
   constexpr std::string_view letters = "MmZzLlHhVvCcSsQqTtAa0123456789+-.eE, ";
   std::uint64_t draw = 0;
