@@ -35,7 +35,8 @@ struct PointSight {
 /// Tasks that the card works on while the next ones are made ready.
 class GlPmvc {
  public:
-  /// All that this is given must outlive it. \param fruits  those that the card has, to which new ones are added
+  /// All that this is given must outlive it.
+  /// \param fruits  those that the card has, to which new ones are added
   GlPmvc(const CurrentGl& gl, const GlRayCaster& caster, GlFruits& fruits, const LineSampling& sampling);
 
   /// Starts with some tasks, which must outlive this object.
