@@ -1,6 +1,7 @@
 #include "render/diffusion/gl_pmvc.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "generator/base/units.h"
@@ -76,25 +77,10 @@ void GlPmvc::cast(std::size_t first) {
 
 /// Waits for what is under way; then looks once more, along more lines, where colours scatter.
 void GlPmvc::settle() {
-  struct Rough {
-    std::size_t task = 0;
-    std::vector<std::size_t> point;
-    std::vector<glm::vec3> eye;
-  };
   std::vector<Rough> rough;
   for (const UnderWay& started : under_way_) {
-    const std::vector<Sight> seen = GlRayCaster::read(gl_, started.rays);
-    std::size_t next = 0;
-    for (std::size_t t = started.first; t < started.first + started.count; ++t) {
-      Rough& own = rough.emplace_back(Rough{t, {}, {}});
-      for (std::size_t i = 0; i < tasks_[t]->eye.size(); ++i) {
-        const Sight& sight = seen[next++];
-        sights_[t].push_back(point_sight(*tasks_[t], sight, sampling_.lines));
-        if (sampling_.fine_lines == 0 || static_cast<double>(sight.scatter) <= sampling_.max_scatter) continue;
-        own.point.push_back(i);
-        own.eye.push_back(tasks_[t]->eye[i]);
-      }
-    }
+    std::vector<Rough> more = read(started);
+    std::move(more.begin(), more.end(), std::back_inserter(rough));
   }
   under_way_.clear();
 
@@ -112,6 +98,24 @@ void GlPmvc::settle() {
       sights_[own.task][i] = point_sight(*tasks_[own.task], seen[next++], sampling_.fine_lines);
     }
   }
+}
+
+/// Puts into `sights_` what was seen; gives the points where colours scatter.
+std::vector<GlPmvc::Rough> GlPmvc::read(const UnderWay& started) {
+  const std::vector<Sight> seen = GlRayCaster::read(gl_, started.rays);
+  std::vector<Rough> rough;
+  std::size_t next = 0;
+  for (std::size_t t = started.first; t < started.first + started.count; ++t) {
+    Rough& own = rough.emplace_back(Rough{t, {}, {}});
+    for (std::size_t i = 0; i < tasks_[t]->eye.size(); ++i) {
+      const Sight& sight = seen[next++];
+      sights_[t].push_back(point_sight(*tasks_[t], sight, sampling_.lines));
+      if (sampling_.fine_lines == 0 || static_cast<double>(sight.scatter) <= sampling_.max_scatter) continue;
+      own.point.push_back(i);
+      own.eye.push_back(tasks_[t]->eye[i]);
+    }
+  }
+  return rough;
 }
 
 }  // namespace pomona

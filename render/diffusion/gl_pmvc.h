@@ -35,7 +35,8 @@ struct PointSight {
 /// Tasks that the card works on while the next ones are made ready.
 class GlPmvc {
  public:
-  /// All that this is given must outlive it. \param fruits  those that the card has, to which new ones are added
+  /// All that this is given must outlive it.
+  /// \param fruits  those that the card has, to which new ones are added
   GlPmvc(const CurrentGl& gl, const GlRayCaster& caster, GlFruits& fruits, const LineSampling& sampling);
 
   /// Starts with some tasks, which must outlive this object.
@@ -54,8 +55,16 @@ class GlPmvc {
     CastRays rays;
   };
 
+  /// Points of a task where colours scatter.
+  struct Rough {
+    std::size_t task = 0;
+    std::vector<std::size_t> point;
+    std::vector<glm::vec3> eye;
+  };
+
   void cast(std::size_t first);
   void settle();
+  std::vector<Rough> read(const UnderWay& started);
   std::vector<PointGroup> groups_of(const SightTask& task, std::span<const glm::vec3> eyes) const;
 
   const CurrentGl& gl_;

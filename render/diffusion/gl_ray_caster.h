@@ -53,7 +53,8 @@ class GlRayCaster {
   static GlLines lines(const CurrentGl& gl, int count);
 
   /// Tells the card to look from the points of all groups, and does not wait. The result of a point depends only on
-  /// the point, its fruit and the lines. \throws Error (helper_missing) if memory does not suffice.
+  /// the point, its fruit and the lines.
+  /// \throws Error (helper_missing) if memory does not suffice.
   CastRays cast(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
                 const GlLines& lines) const;
 
