@@ -108,10 +108,11 @@ py::dict ground_truth_arrays(const Deliverable& what, const py::dict& given, con
 
 }  // namespace
 
-Style ordered_style(const Order& order) { return find_style(order.color.style.empty() ? "ink" : order.color.style); }
+Style ordered_style(const Order& order) { return find_style(drawn_style(order.color)); }
 
 DeliverOptions deliver_options(const Deliverable& what, const Order& order, const DeliveryProgress& progress) {
   return {.style = ordered_style(order),
+          .texture_style = find_style(baked_style(order.color)),
           .provenance = provenance_of(order.fruit),
           .usual_size = what.usual_size(),
           .progress = progress};

@@ -110,7 +110,7 @@ const SolidSet::Shown& SolidSet::shown() const {
   const DeliverOptions how = deliver_options(*this, order());
   Shown made;
   if (const auto bake = bake_options(order())) {
-    made.baked = all_baked(scene_.solids, how.style, *bake);
+    made.baked = all_baked(scene_.solids, how.texture_style, *bake);
     for (const BakedSolid& baked : made.baked) made.meshes.push_back(textured_mesh(baked));
   } else {
     made.meshes = styled_meshes(scene_.solids, export_options(order(), how));

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "generator/base/stopping.h"
 
@@ -84,11 +85,11 @@ std::exception_ptr watch(Message& message, const py::object& progress, std::atom
 void run_work(const py::object& progress, const std::function<void(Telltale&)>& work) {
   Message message;
   Telltale telltale;
-  if (!progress.is_none())
-    telltale.progress = [&](const std::string& stage, std::size_t done, std::size_t total) {
-      end_if_stopped();
-      message.report(stage, done, total);
-    };
+  const bool is_heard = !progress.is_none();
+  telltale.progress = [&](const std::string& stage, std::size_t done, std::size_t total) {
+    end_if_stopped();
+    if (is_heard) message.report(stage, done, total);
+  };
   std::atomic<bool> stop = false;
   std::exception_ptr failure;
   std::thread worker([&] {

@@ -12,7 +12,7 @@ namespace pomona {
 
 /// What work is given to tell.
 struct Telltale {
-  DeliveryProgress progress;          ///< empty where nobody listens
+  DeliveryProgress progress;          ///< stops the work, too, where that was asked for
   std::vector<std::string> warnings;  ///< told when the work is done
 };
 

@@ -17,7 +17,7 @@ def named(what, kind):
         return f"a {kind} of Python", text_of(what)
     if isinstance(what, os.PathLike):
         return os.fspath(what), None
-    return (f"a {kind} of Python", what) if "\n" in what or "=" in what else (what, None)
+    return (f"a {kind} of Python", what) if "\n" in what else (what, None)
 
 
 def names(path, more):
