@@ -95,17 +95,18 @@ std::vector<std::int32_t> leads_of(const Template& fruit) {
 class Ripener {
  public:
   Ripener(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin,
-          const std::vector<glm::dvec3>& lead_colors)
+          const std::vector<glm::dvec3>& colors)
       : surfaces_(std::move(surfaces)),
         fruit_(fruit),
         skin_(skin),
         leads_(leads_of(fruit)),
-        lead_colors_(lead_colors),
+        tissue_colors_(colors),
         front_part_(parts_of_vertices(surfaces_, SideOf::front)),
         back_part_(parts_of_vertices(surfaces_, SideOf::back)) {}
 
   DiffusionSurfaces ripen(Threads threads) {
     find_parts();
+    find_rooms();
     const std::vector<double> depth = depths(threads);
     parallel_for(surfaces_.vertex_count(), threads, [&](std::size_t v) {
       const double lateness = needs_place(v) ? lateness_at(glm::dvec3(surfaces_.position[v]), depth[v]) : 0;
@@ -122,7 +123,7 @@ class Ripener {
     for (const RipenessSketch::Part& part : fruit_.ripeness.parts)
       ripening_[static_cast<std::size_t>(part.part)].emplace(
           part, leads_a_tissue(part.part)
-                    ? lead_colors_[static_cast<std::size_t>(part.part)]
+                    ? tissue_colors_[static_cast<std::size_t>(part.part)]
                     : mean_color(surfaces_, front_part_, back_part_, part.part).value_or(glm::dvec3(0)));
   }
 
@@ -134,7 +135,7 @@ class Ripener {
   /// Of parts that are of one tissue with others; else null.
   const glm::dvec3* lead_color(std::int32_t part) const {
     if (!names_one_of(part, leads_) || leads_[static_cast<std::size_t>(part)] < 0) return nullptr;
-    return &lead_colors_[static_cast<std::size_t>(leads_[static_cast<std::size_t>(part)])];
+    return &tissue_colors_[static_cast<std::size_t>(leads_[static_cast<std::size_t>(part)])];
   }
 
   const PartRipening* ripening_of(std::int32_t part) const {
@@ -190,7 +191,7 @@ class Ripener {
       const PartRipening* own = part == leading ? nullptr : ripening_of(part);
       const double ripeness = ripeness_at(own, lateness);
       const Color ripe = ripeness != 1 ? in_gamut((*own)(to_oklab(color), ripeness)) : color;
-      return moved(ripe, *lead, changed_lead(*lead, leading, own, lateness));
+      return moved(ripe, leading, *lead, changed_lead(*lead, leading, own, lateness));
     }
     const PartRipening* ripening = ripening_of(part);
     const double ripeness = ripeness_at(ripening, lateness);
@@ -215,14 +216,36 @@ class Ripener {
 
   static Color in_gamut(const glm::dvec3& lab) { return from_oklab_within_gamut(glm::vec3(lab)); }
 
-  /// The colour moved in sRGB as from one OKLab colour to another: so differences that are seen stay as they are.
-  static Color moved(const Color& color, const glm::dvec3& from, const glm::dvec3& to) {
+  /// What room the mean colours of a tissue leave in each channel of sRGB, below and above.
+  struct Room {
+    glm::dvec3 below{1}, above{1};
+  };
+
+  void find_rooms() {
+    rooms_.resize(leads_.size());
+    for (std::size_t part = 0; part < leads_.size(); ++part) {
+      if (leads_[part] < 0 || tissue_colors_[part] == glm::dvec3(0)) continue;
+      const Color mean = in_gamut(tissue_colors_[part]);
+      Room& room = rooms_[static_cast<std::size_t>(leads_[part])];
+      for (int c = 0; c < 3; ++c) {
+        const double encoded = srgb_from_linear(mean[c]);
+        room.below[c] = std::min(room.below[c], encoded);
+        room.above[c] = std::min(room.above[c], 1 - encoded);
+      }
+    }
+  }
+
+  /// The colour moved in sRGB as from one OKLab colour to another, so that differences that are seen stay as they are:
+  /// no further than the palest and the darkest of its tissue can go along.
+  Color moved(const Color& color, std::int32_t leading, const glm::dvec3& from, const glm::dvec3& to) const {
     if (from == to) return color;
     const Color before = in_gamut(from), after = in_gamut(to);
+    const Room& room = rooms_[static_cast<std::size_t>(leading)];
     Color result;
     for (int c = 0; c < 3; ++c) {
-      const double encoded = srgb_from_linear(std::clamp<double>(color[c], 0, 1)) + srgb_from_linear(after[c]) -
-                             srgb_from_linear(before[c]);
+      const double by = srgb_from_linear(after[c]) - srgb_from_linear(before[c]);
+      const double encoded =
+          srgb_from_linear(std::clamp<double>(color[c], 0, 1)) + std::clamp(by, -room.below[c], room.above[c]);
       result[c] = static_cast<float>(linear_from_srgb(std::clamp(encoded, 0.0, 1.0)));
     }
     return result;
@@ -231,8 +254,9 @@ class Ripener {
   DiffusionSurfaces surfaces_;
   const Template& fruit_;
   const SkinDepth& skin_;
-  std::vector<std::int32_t> leads_;             ///< per part
-  const std::vector<glm::dvec3>& lead_colors_;  ///< per part
+  std::vector<Room> rooms_;                       ///< per leading part
+  std::vector<std::int32_t> leads_;               ///< per part
+  const std::vector<glm::dvec3>& tissue_colors_;  ///< per part
   std::vector<std::int32_t> front_part_, back_part_;
   std::vector<std::optional<PartRipening>> ripening_;  // per part
 };
@@ -258,8 +282,10 @@ std::vector<glm::dvec3> tissue_colors(const DiffusionSurfaces& swept, const Diff
     const std::vector<std::int32_t> front = parts_of_vertices(*surfaces, SideOf::front),
                                     back = parts_of_vertices(*surfaces, SideOf::back);
     for (const std::vector<int>& tissue : fruit.variation.color.tissues) {
-      const std::optional<glm::dvec3> mean = mean_color(*surfaces, front, back, tissue.front());
-      if (mean) colors[static_cast<std::size_t>(tissue.front())] = *mean;
+      for (const int part : tissue) {
+        const std::optional<glm::dvec3> mean = mean_color(*surfaces, front, back, part);
+        if (mean) colors[static_cast<std::size_t>(part)] = *mean;
+      }
     }
   }
   return colors;
