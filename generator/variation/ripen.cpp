@@ -1,6 +1,7 @@
 #include "generator/variation/ripen.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -70,6 +71,31 @@ std::vector<std::int32_t> parts_of_vertices(const DiffusionSurfaces& surfaces, S
   return parts;
 }
 
+/// The sRGB curve and its inverse, faster than by powers, and exactly inverse to each other.
+class SrgbTable {
+ public:
+  SrgbTable() {
+    for (std::size_t i = 0; i < linear_.size(); ++i) linear_[i] = linear_from_srgb(static_cast<double>(i) / steps);
+  }
+
+  double to_linear(double encoded) const {
+    const double place = std::clamp(encoded, 0.0, 1.0) * steps;
+    const auto at = std::min(static_cast<std::size_t>(place), linear_.size() - 2);
+    return linear_[at] + (place - static_cast<double>(at)) * (linear_[at + 1] - linear_[at]);
+  }
+
+  double to_srgb(double linear) const {
+    const auto after = std::upper_bound(linear_.begin() + 1, linear_.end() - 1, std::clamp(linear, 0.0, 1.0));
+    const auto at = static_cast<std::size_t>(after - linear_.begin()) - 1;
+    const double share = (std::clamp(linear, 0.0, 1.0) - linear_[at]) / (linear_[at + 1] - linear_[at]);
+    return (static_cast<double>(at) + share) / steps;
+  }
+
+ private:
+  static constexpr int steps = 1024;
+  std::array<double, steps + 1> linear_{};
+};
+
 /// The mean colour of one part's sides, OKLab; nothing if there are none.
 std::optional<glm::dvec3> mean_color(const DiffusionSurfaces& surfaces, const std::vector<std::int32_t>& front_part,
                                      const std::vector<std::int32_t>& back_part, std::int32_t part) {
@@ -107,6 +133,7 @@ class Ripener {
   DiffusionSurfaces ripen(Threads threads) {
     find_parts();
     find_rooms();
+    find_moves();
     const std::vector<double> depth = depths(threads);
     parallel_for(surfaces_.vertex_count(), threads, [&](std::size_t v) {
       const double lateness = needs_place(v) ? lateness_at(glm::dvec3(surfaces_.position[v]), depth[v]) : 0;
@@ -132,10 +159,9 @@ class Ripener {
     return std::any_of(tissues.begin(), tissues.end(), [&](const auto& tissue) { return tissue.front() == part; });
   }
 
-  /// Of parts that are of one tissue with others; else null.
-  const glm::dvec3* lead_color(std::int32_t part) const {
-    if (!names_one_of(part, leads_) || leads_[static_cast<std::size_t>(part)] < 0) return nullptr;
-    return &tissue_colors_[static_cast<std::size_t>(leads_[static_cast<std::size_t>(part)])];
+  /// Whether a part is of one tissue with others.
+  bool is_of_tissue(std::int32_t part) const {
+    return names_one_of(part, leads_) && leads_[static_cast<std::size_t>(part)] >= 0;
   }
 
   const PartRipening* ripening_of(std::int32_t part) const {
@@ -145,7 +171,7 @@ class Ripener {
 
   bool ripens(std::int32_t part) const {
     if (ripening_of(part)) return true;
-    return lead_color(part) && ripening_of(leads_[static_cast<std::size_t>(part)]);
+    return is_of_tissue(part) && ripening_of(leads_[static_cast<std::size_t>(part)]);
   }
 
   bool needs_place(std::size_t v) const { return ripens(front_part_[v]) || ripens(back_part_[v]); }
@@ -186,12 +212,12 @@ class Ripener {
   }
 
   Color changed(const Color& color, std::int32_t part, double lateness) const {
-    if (const glm::dvec3* lead = lead_color(part)) {
+    if (is_of_tissue(part)) {
       const std::int32_t leading = leads_[static_cast<std::size_t>(part)];
       const PartRipening* own = part == leading ? nullptr : ripening_of(part);
       const double ripeness = ripeness_at(own, lateness);
       const Color ripe = ripeness != 1 ? in_gamut((*own)(to_oklab(color), ripeness)) : color;
-      return moved(ripe, leading, *lead, changed_lead(*lead, leading, own, lateness));
+      return moved(ripe, move_of(leading, own ? 1 : ripeness_at(ripening_of(leading), lateness)));
     }
     const PartRipening* ripening = ripening_of(part);
     const double ripeness = ripeness_at(ripening, lateness);
@@ -202,16 +228,6 @@ class Ripener {
     const glm::dvec3 lab = ripeness != 1 ? (*ripening)(drawn, ripeness) : drawn;
     if (lab == drawn && is_none(shift)) return color;
     return from_oklab_within_gamut(glm::vec3(is_none(shift) ? lab : shifted(lab, shift)));
-  }
-
-  /// What the mean colour of a tissue's leading part changes to, OKLab. Its ripening counts where the part that follows
-  /// has none of its own.
-  glm::dvec3 changed_lead(const glm::dvec3& mean, std::int32_t lead, const PartRipening* own, double lateness) const {
-    const PartRipening* ripening = own ? nullptr : ripening_of(lead);
-    const double ripeness = ripeness_at(ripening, lateness);
-    const glm::dvec3 lab = ripeness != 1 ? (*ripening)(mean, ripeness) : mean;
-    const ColorShift shift = shift_of(lead);
-    return is_none(shift) ? lab : shifted(lab, shift);
   }
 
   static Color in_gamut(const glm::dvec3& lab) { return from_oklab_within_gamut(glm::vec3(lab)); }
@@ -235,25 +251,55 @@ class Ripener {
     }
   }
 
-  /// The colour moved in sRGB as from one OKLab colour to another, so that differences that are seen stay as they are:
-  /// no further than the palest and the darkest of its tissue can go along.
-  Color moved(const Color& color, std::int32_t leading, const glm::dvec3& from, const glm::dvec3& to) const {
-    if (from == to) return color;
-    const Color before = in_gamut(from), after = in_gamut(to);
+  /// By how much the colours of a tissue move in sRGB at some ripeness of its leading part, so that differences that
+  /// are seen stay as they are: no further than the palest and the darkest of the tissue can go along.
+  glm::dvec3 move_at(std::int32_t leading, double ripeness) const {
+    const glm::dvec3& mean = tissue_colors_[static_cast<std::size_t>(leading)];
+    const PartRipening* ripening = ripening_of(leading);
+    const glm::dvec3 ripe = ripening && ripeness != 1 ? (*ripening)(mean, ripeness) : mean;
+    const ColorShift shift = shift_of(leading);
+    const glm::dvec3 lab = is_none(shift) ? ripe : shifted(ripe, shift);
+    if (lab == mean) return glm::dvec3(0);
+    const Color before = in_gamut(mean), after = in_gamut(lab);
     const Room& room = rooms_[static_cast<std::size_t>(leading)];
-    Color result;
-    for (int c = 0; c < 3; ++c) {
-      const double by = srgb_from_linear(after[c]) - srgb_from_linear(before[c]);
-      const double encoded =
-          srgb_from_linear(std::clamp<double>(color[c], 0, 1)) + std::clamp(by, -room.below[c], room.above[c]);
-      result[c] = static_cast<float>(linear_from_srgb(std::clamp(encoded, 0.0, 1.0)));
+    glm::dvec3 by;
+    for (int c = 0; c < 3; ++c)
+      by[c] = std::clamp(srgb_from_linear(after[c]) - srgb_from_linear(before[c]), -room.below[c], room.above[c]);
+    return by;
+  }
+
+  /// Moves at evenly spaced ripenesses: vertices look up what lies between them.
+  void find_moves() {
+    moves_.resize(leads_.size());
+    for (std::size_t part = 0; part < leads_.size(); ++part) {
+      if (leads_[part] != static_cast<std::int32_t>(part)) continue;
+      for (int i = 0; i <= 2 * moves_of_one; ++i)
+        moves_[part].push_back(move_at(leads_[part], static_cast<double>(i) / moves_of_one));
     }
+  }
+
+  glm::dvec3 move_of(std::int32_t leading, double ripeness) const {
+    const std::vector<glm::dvec3>& moves = moves_[static_cast<std::size_t>(leading)];
+    const double place = std::clamp(ripeness, 0.0, 2.0) * moves_of_one;
+    const auto at = std::min(static_cast<std::size_t>(place), moves.size() - 2);
+    const double share = place - static_cast<double>(at);
+    return moves[at] + share * (moves[at + 1] - moves[at]);
+  }
+
+  Color moved(const Color& color, const glm::dvec3& by) const {
+    if (by == glm::dvec3(0)) return color;
+    Color result;
+    for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(srgb_.to_linear(srgb_.to_srgb(color[c]) + by[c]));
     return result;
   }
 
   DiffusionSurfaces surfaces_;
   const Template& fruit_;
   const SkinDepth& skin_;
+  static constexpr int moves_of_one = 128;  // for a ripeness of 1
+
+  SrgbTable srgb_;
+  std::vector<std::vector<glm::dvec3>> moves_;    ///< per leading part
   std::vector<Room> rooms_;                       ///< per leading part
   std::vector<std::int32_t> leads_;               ///< per part
   const std::vector<glm::dvec3>& tissue_colors_;  ///< per part
