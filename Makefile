@@ -141,10 +141,12 @@ variants: .bench ## a thousand variants of every template: out/variants.md and .
 	@mkdir -p out
 	build/bench/variants --out out/variants.md --json out/variants.json
 
-unseen: .bench ## 200 seeds of every template that nobody has chosen, halved and cut across: out/unseen.md and .json; FRUIT="lemon fig" SEEDS=101-140; stop it and it goes on later
+unseen: .bench build ## 200 seeds of every template that nobody has chosen, halved and cut across: out/unseen.md, .json and a sheet of the worst, .png; FRUIT="lemon fig" SEEDS=101-140; stop it and it goes on later
 	cmake --build build --target unseen -j $(JOBS)
 	@mkdir -p out
-	build/bench/unseen $(FRUIT) --seeds $(or $(SEEDS),1-200) --out out/unseen.md --json out/unseen.json
+	-build/bench/unseen $(FRUIT) --seeds $(or $(SEEDS),1-200) --out out/unseen.md --json out/unseen.json --worst out/unseen_worst.json
+	@scripts/setup.sh gallery
+	scripts/unseen_sheet.py build/pomona out/unseen_worst.json out/unseen.png
 
 road: .bench ## a new variant of every template, halved, to the bytes of its .glb: time by stage, and memory, on one thread
 	cmake --build build --target road -j $(JOBS)

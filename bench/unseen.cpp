@@ -1,10 +1,11 @@
 // Seeds that nobody has chosen: whether each fruit's halves and sections across are as good as the drawing's, by
 // numbers. docs/reports/unseen.md shows what it prints; scripts/unseen_sheet.py shows the worst as pictures.
-//   unseen [FRUIT...] [--seeds 1-200] [--out FILE] [--json FILE] [--threads N]
+//   unseen [FRUIT...] [--seeds 1-200] [--out FILE] [--json FILE] [--worst FILE] [--threads N]
 #include <algorithm>
 #include <cstdio>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -29,7 +30,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::vector<std::string> fruits;
   std::string seeds = "1-200";
-  std::string out, json;
+  std::string out, json, worst;
   int threads = 0;
 };
 
@@ -99,15 +100,15 @@ Lack worst_lack(const Json& row, const Json& drawn, const std::vector<std::strin
 /// The numbers by which a fruit may fall out, each 0 if it is sound.
 std::map<std::string, double> faults_of(const Json& row, const Json& drawn, const std::vector<std::string>& parts) {
   const Lack lack = worst_lack(row, drawn, parts);
-  const double drawn_empty = drawn["empty_chambers"].get<double>() / std::max(1.0, drawn["chambers"].get<double>());
-  const double empty = row["empty_chambers"].get<double>() - drawn_empty * row["chambers"].get<double>();
+  // Where the drawing leaves chambers empty, so may chance.
+  const double empty = drawn["empty_chambers"] == 0 ? row["empty_chambers"].get<double>() : 0;
   const auto more = [&](const char* face) {
     return std::max(0.0, row[face]["crumbs"].get<double>() - drawn[face]["crumbs"].get<double>());
   };
   const double drift = row["drift"];
   return {{"short", lack.share < short_side ? 1 - lack.share : 0},
           {"crossings", row["crossings"].get<double>()},
-          {"empty", std::max(0.0, empty)},
+          {"empty", empty},
           {"drift", drift > stated_drift ? drift : 0},
           {"crumbs", more("half") + more("across")}};
 }
@@ -202,6 +203,30 @@ int fallen_out(const std::vector<Fruit>& fruits) {
   return fallen;
 }
 
+/// The worst fruits by each number, at most two of a template: for pictures of them.
+Json worst_fruits(const std::vector<Fruit>& fruits) {
+  constexpr std::size_t of_all = 10, of_one = 2;
+  Json list = Json::array();
+  for (const char* fault : {"short", "crossings", "empty", "drift", "crumbs"}) {
+    std::vector<std::tuple<double, std::string, int>> worst;
+    for (const Fruit& fruit : fruits) {
+      std::vector<std::tuple<double, std::string, int>> own;
+      for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
+        const double by = faults_of(fruit.rows[i], fruit.rows.front(), fruit.inner_parts).at(fault);
+        if (by > 0) own.emplace_back(-by, fruit.name, fruit.rows[i]["seed"].get<int>());
+      }
+      std::sort(own.begin(), own.end());
+      own.resize(std::min(own.size(), of_one));
+      worst.insert(worst.end(), own.begin(), own.end());
+    }
+    std::sort(worst.begin(), worst.end());
+    worst.resize(std::min(worst.size(), of_all));
+    for (const auto& [by, name, seed] : worst)
+      list.push_back({{"number", fault}, {"fruit", name}, {"seed", seed}, {"by", -by}});
+  }
+  return list;
+}
+
 int make_report(const Options& options) {
   std::vector<Json> known = earlier_rows(options.json);
   std::vector<Fruit> fruits;
@@ -226,6 +251,7 @@ int make_report(const Options& options) {
   const int fallen = fallen_out(fruits);
   const std::string text = markdown(table_of(fruits)) + "\n" + std::to_string(fallen) + " fruits fall out.\n";
   if (!options.out.empty()) write_whole(options.out, text);
+  if (!options.worst.empty()) write_whole(options.worst, worst_fruits(fruits).dump(1) + "\n");
   std::printf("%s", text.c_str());
   return fallen == 0 ? 0 : 1;
 }
@@ -239,6 +265,7 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", options.seeds, "First and last, as in 101-140")->capture_default_str();
   app.add_option("--out", options.out, "Write the table to this file too");
   app.add_option("--json", options.json, "Write the figures to this file as JSON; rows already there are kept");
+  app.add_option("--worst", options.worst, "Write the worst by each number to this file as JSON");
   app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return exit_status_of([&] { return make_report(options); });

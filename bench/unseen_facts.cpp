@@ -144,41 +144,38 @@ std::size_t fold_at(const FoldSymmetry& symmetry, const glm::dvec3& place) {
   return static_cast<std::size_t>(next - symmetry.fold_angles.begin()) - 1;
 }
 
-/// The sketch of a kind of grains, if it grows in folds; cores have none.
-const GrainSketch* in_folds(const Template& fruit, const std::string& kind) {
+/// Whether grains of this kind grow in folds; the cores within them count for nothing.
+bool in_folds(const Template& fruit, const std::string& kind) {
+  return std::any_of(fruit.grains.begin(), fruit.grains.end(), [&](const GrainSketch& sketch) {
+    return sketch.name == kind && fruit.surfaces[static_cast<std::size_t>(sketch.surface)].type == SurfaceType::in_fold;
+  });
+}
+
+/// The folds that have a surface on which grains grow.
+std::set<std::size_t> folds_for_grains(const Template& fruit) {
+  std::set<std::size_t> folds;
   for (const GrainSketch& sketch : fruit.grains) {
-    if (sketch.name != kind) continue;
-    const SurfaceType type = fruit.surfaces[static_cast<std::size_t>(sketch.surface)].type;
-    return type == SurfaceType::in_fold ? &sketch : nullptr;
+    if (!in_folds(fruit, sketch.name)) continue;
+    const std::vector<Curve>& loops = fruit.surfaces[static_cast<std::size_t>(sketch.surface)].horizontal;
+    for (std::size_t k = 0; k < loops.size(); ++k)
+      if (!loops[k].points.empty()) folds.insert(k);
   }
-  return nullptr;
+  return folds;
 }
 
 void add_grains(UnseenFacts& facts, const Template& fruit, const GrownFruit& grown) {
   const auto* symmetry = std::get_if<FoldSymmetry>(&fruit.symmetry);
   if (!symmetry) return;
   const Enclosures membranes = membranes_of(grown.swept, fruit);
-  std::set<std::pair<int, std::size_t>> bearing;  // surfaces, and their folds
-  std::vector<int> grounds;
+  std::set<std::size_t> bearing;
   for (const Grain& grain : grains_of(grown.grains)) {
-    const GrainSketch* sketch = in_folds(fruit, grown.grains.surface_names[grain.kind]);
-    if (!sketch) continue;
+    if (!in_folds(fruit, grown.grains.surface_names[grain.kind])) continue;
     ++facts.grains;
     facts.crossings += is_crossed(grain, grown.grains, membranes);
-    bearing.insert({sketch->surface, fold_at(*symmetry, middle_of(grain, grown.grains))});
+    bearing.insert(fold_at(*symmetry, middle_of(grain, grown.grains)));
   }
-  std::set<int> surfaces;
-  for (const GrainSketch& sketch : fruit.grains) {
-    if (in_folds(fruit, sketch.name)) surfaces.insert(sketch.surface);
-  }
-  for (const int surface : surfaces) {
-    const std::vector<Curve>& loops = fruit.surfaces[static_cast<std::size_t>(surface)].horizontal;
-    for (std::size_t k = 0; k < loops.size(); ++k) {
-      if (loops[k].points.empty()) continue;
-      ++facts.chambers;
-      facts.empty_chambers += !bearing.contains({surface, k});
-    }
-  }
+  facts.chambers = static_cast<int>(folds_for_grains(fruit).size());
+  for (const std::size_t fold : folds_for_grains(fruit)) facts.empty_chambers += !bearing.contains(fold);
 }
 
 glm::dvec3 srgb255(const Color& color) {

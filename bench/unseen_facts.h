@@ -33,7 +33,7 @@ struct UnseenFacts {
   FaceFacts half, across;
   int grains = 0;           ///< those that grow on a surface in folds
   int crossings = 0;        ///< those of them that a membrane crosses
-  int chambers = 0;         ///< loops that may bear grains
+  int chambers = 0;         ///< folds in which grains may grow
   int empty_chambers = 0;   ///< those of them that bear none
   TissueDrift worst_drift;  ///< empty names if no two parts are one tissue
 };

@@ -30,6 +30,7 @@
 #include "generator/surface/stray_surfaces.h"
 #include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/sweep.h"
+#include "generator/template/half_wall.h"
 #include "generator/template/read/read_template.h"
 #include "generator/template/read/sketch_fault.h"
 #include "generator/text/svg_drawing.h"
@@ -152,6 +153,7 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
   std::vector<std::string> warnings = body_warnings(sweep(fruit), file);
   scatter_grains(fruit, {});
   for (const std::string& warning : spot_warnings(fruit)) warnings.push_back(warning);
+  for (const std::string& warning : half_wall_warnings(fruit)) warnings.push_back(warning);
   return warnings;
 }
 

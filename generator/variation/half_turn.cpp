@@ -42,15 +42,15 @@ Sectors folds_of(const FoldSymmetry& symmetry) {
 /// Half of the way from a sector's edge to its middle is deep enough: seeds often leave the very middle free.
 constexpr double deep_enough = 0.5;
 
-/// 0 at a sector's edge, up to `deep_enough` within, -1 far outside all.
+/// How deep an azimuth lies in a sector, radians; negative outside all.
 double depth_at(const Sectors& sectors, double azimuth) {
-  double deepest = -1;
+  double deepest = -pi;
   for (const Sector& sector : sectors) {
     const double turn = (azimuth - sector.middle) / (2 * pi);
     const double away = 2 * pi * std::fabs(turn - std::round(turn));
-    deepest = std::max(deepest, 1 - away / sector.half_width);
+    deepest = std::max(deepest, std::min(sector.half_width - away, deep_enough * sector.half_width));
   }
-  return std::min(deepest, deep_enough);
+  return deepest;
 }
 
 /// How deep the plane at this azimuth lies in what it is to show, on both sides, or on the better one.

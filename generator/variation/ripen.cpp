@@ -1,6 +1,7 @@
 #include "generator/variation/ripen.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -70,6 +71,31 @@ std::vector<std::int32_t> parts_of_vertices(const DiffusionSurfaces& surfaces, S
   return parts;
 }
 
+/// The sRGB curve and its inverse, faster than by powers, and exactly inverse to each other.
+class SrgbTable {
+ public:
+  SrgbTable() {
+    for (std::size_t i = 0; i < linear_.size(); ++i) linear_[i] = linear_from_srgb(static_cast<double>(i) / steps);
+  }
+
+  double to_linear(double encoded) const {
+    const double place = std::clamp(encoded, 0.0, 1.0) * steps;
+    const auto at = std::min(static_cast<std::size_t>(place), linear_.size() - 2);
+    return linear_[at] + (place - static_cast<double>(at)) * (linear_[at + 1] - linear_[at]);
+  }
+
+  double to_srgb(double linear) const {
+    const auto after = std::upper_bound(linear_.begin() + 1, linear_.end() - 1, std::clamp(linear, 0.0, 1.0));
+    const auto at = static_cast<std::size_t>(after - linear_.begin()) - 1;
+    const double share = (std::clamp(linear, 0.0, 1.0) - linear_[at]) / (linear_[at + 1] - linear_[at]);
+    return (static_cast<double>(at) + share) / steps;
+  }
+
+ private:
+  static constexpr int steps = 1024;
+  std::array<double, steps + 1> linear_{};
+};
+
 /// The mean colour of one part's sides, OKLab; nothing if there are none.
 std::optional<glm::dvec3> mean_color(const DiffusionSurfaces& surfaces, const std::vector<std::int32_t>& front_part,
                                      const std::vector<std::int32_t>& back_part, std::int32_t part) {
@@ -95,17 +121,19 @@ std::vector<std::int32_t> leads_of(const Template& fruit) {
 class Ripener {
  public:
   Ripener(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin,
-          const std::vector<glm::dvec3>& lead_colors)
+          const std::vector<glm::dvec3>& colors)
       : surfaces_(std::move(surfaces)),
         fruit_(fruit),
         skin_(skin),
         leads_(leads_of(fruit)),
-        lead_colors_(lead_colors),
+        tissue_colors_(colors),
         front_part_(parts_of_vertices(surfaces_, SideOf::front)),
         back_part_(parts_of_vertices(surfaces_, SideOf::back)) {}
 
   DiffusionSurfaces ripen(Threads threads) {
     find_parts();
+    find_rooms();
+    find_moves();
     const std::vector<double> depth = depths(threads);
     parallel_for(surfaces_.vertex_count(), threads, [&](std::size_t v) {
       const double lateness = needs_place(v) ? lateness_at(glm::dvec3(surfaces_.position[v]), depth[v]) : 0;
@@ -122,7 +150,7 @@ class Ripener {
     for (const RipenessSketch::Part& part : fruit_.ripeness.parts)
       ripening_[static_cast<std::size_t>(part.part)].emplace(
           part, leads_a_tissue(part.part)
-                    ? lead_colors_[static_cast<std::size_t>(part.part)]
+                    ? tissue_colors_[static_cast<std::size_t>(part.part)]
                     : mean_color(surfaces_, front_part_, back_part_, part.part).value_or(glm::dvec3(0)));
   }
 
@@ -131,10 +159,9 @@ class Ripener {
     return std::any_of(tissues.begin(), tissues.end(), [&](const auto& tissue) { return tissue.front() == part; });
   }
 
-  /// Of parts that are of one tissue with others; else null.
-  const glm::dvec3* lead_color(std::int32_t part) const {
-    if (!names_one_of(part, leads_) || leads_[static_cast<std::size_t>(part)] < 0) return nullptr;
-    return &lead_colors_[static_cast<std::size_t>(leads_[static_cast<std::size_t>(part)])];
+  /// Whether a part is of one tissue with others.
+  bool is_of_tissue(std::int32_t part) const {
+    return names_one_of(part, leads_) && leads_[static_cast<std::size_t>(part)] >= 0;
   }
 
   const PartRipening* ripening_of(std::int32_t part) const {
@@ -144,7 +171,7 @@ class Ripener {
 
   bool ripens(std::int32_t part) const {
     if (ripening_of(part)) return true;
-    return lead_color(part) && ripening_of(leads_[static_cast<std::size_t>(part)]);
+    return is_of_tissue(part) && ripening_of(leads_[static_cast<std::size_t>(part)]);
   }
 
   bool needs_place(std::size_t v) const { return ripens(front_part_[v]) || ripens(back_part_[v]); }
@@ -185,12 +212,12 @@ class Ripener {
   }
 
   Color changed(const Color& color, std::int32_t part, double lateness) const {
-    if (const glm::dvec3* lead = lead_color(part)) {
+    if (is_of_tissue(part)) {
       const std::int32_t leading = leads_[static_cast<std::size_t>(part)];
       const PartRipening* own = part == leading ? nullptr : ripening_of(part);
       const double ripeness = ripeness_at(own, lateness);
       const Color ripe = ripeness != 1 ? in_gamut((*own)(to_oklab(color), ripeness)) : color;
-      return moved(ripe, *lead, changed_lead(*lead, leading, own, lateness));
+      return moved(ripe, move_of(leading, own ? 1 : ripeness_at(ripening_of(leading), lateness)));
     }
     const PartRipening* ripening = ripening_of(part);
     const double ripeness = ripeness_at(ripening, lateness);
@@ -203,36 +230,79 @@ class Ripener {
     return from_oklab_within_gamut(glm::vec3(is_none(shift) ? lab : shifted(lab, shift)));
   }
 
-  /// What the mean colour of a tissue's leading part changes to, OKLab. Its ripening counts where the part that follows
-  /// has none of its own.
-  glm::dvec3 changed_lead(const glm::dvec3& mean, std::int32_t lead, const PartRipening* own, double lateness) const {
-    const PartRipening* ripening = own ? nullptr : ripening_of(lead);
-    const double ripeness = ripeness_at(ripening, lateness);
-    const glm::dvec3 lab = ripeness != 1 ? (*ripening)(mean, ripeness) : mean;
-    const ColorShift shift = shift_of(lead);
-    return is_none(shift) ? lab : shifted(lab, shift);
-  }
-
   static Color in_gamut(const glm::dvec3& lab) { return from_oklab_within_gamut(glm::vec3(lab)); }
 
-  /// The colour moved in sRGB as from one OKLab colour to another: so differences that are seen stay as they are.
-  static Color moved(const Color& color, const glm::dvec3& from, const glm::dvec3& to) {
-    if (from == to) return color;
-    const Color before = in_gamut(from), after = in_gamut(to);
-    Color result;
-    for (int c = 0; c < 3; ++c) {
-      const double encoded = srgb_from_linear(std::clamp<double>(color[c], 0, 1)) + srgb_from_linear(after[c]) -
-                             srgb_from_linear(before[c]);
-      result[c] = static_cast<float>(linear_from_srgb(std::clamp(encoded, 0.0, 1.0)));
+  /// What room the mean colours of a tissue leave in each channel of sRGB, below and above.
+  struct Room {
+    glm::dvec3 below{1}, above{1};
+  };
+
+  void find_rooms() {
+    rooms_.resize(leads_.size());
+    for (std::size_t part = 0; part < leads_.size(); ++part) {
+      if (leads_[part] < 0 || tissue_colors_[part] == glm::dvec3(0)) continue;
+      const Color mean = in_gamut(tissue_colors_[part]);
+      Room& room = rooms_[static_cast<std::size_t>(leads_[part])];
+      for (int c = 0; c < 3; ++c) {
+        const double encoded = srgb_from_linear(mean[c]);
+        room.below[c] = std::min(room.below[c], encoded);
+        room.above[c] = std::min(room.above[c], 1 - encoded);
+      }
     }
+  }
+
+  /// By how much the colours of a tissue move in sRGB at some ripeness of its leading part, so that differences that
+  /// are seen stay as they are: no further than the palest and the darkest of the tissue can go along.
+  glm::dvec3 move_at(std::int32_t leading, double ripeness) const {
+    const glm::dvec3& mean = tissue_colors_[static_cast<std::size_t>(leading)];
+    const PartRipening* ripening = ripening_of(leading);
+    const glm::dvec3 ripe = ripening && ripeness != 1 ? (*ripening)(mean, ripeness) : mean;
+    const ColorShift shift = shift_of(leading);
+    const glm::dvec3 lab = is_none(shift) ? ripe : shifted(ripe, shift);
+    if (lab == mean) return glm::dvec3(0);
+    const Color before = in_gamut(mean), after = in_gamut(lab);
+    const Room& room = rooms_[static_cast<std::size_t>(leading)];
+    glm::dvec3 by;
+    for (int c = 0; c < 3; ++c)
+      by[c] = std::clamp(srgb_from_linear(after[c]) - srgb_from_linear(before[c]), -room.below[c], room.above[c]);
+    return by;
+  }
+
+  /// Moves at evenly spaced ripenesses: vertices look up what lies between them.
+  void find_moves() {
+    moves_.resize(leads_.size());
+    for (std::size_t part = 0; part < leads_.size(); ++part) {
+      if (leads_[part] != static_cast<std::int32_t>(part)) continue;
+      for (int i = 0; i <= 2 * moves_of_one; ++i)
+        moves_[part].push_back(move_at(leads_[part], static_cast<double>(i) / moves_of_one));
+    }
+  }
+
+  glm::dvec3 move_of(std::int32_t leading, double ripeness) const {
+    const std::vector<glm::dvec3>& moves = moves_[static_cast<std::size_t>(leading)];
+    const double place = std::clamp(ripeness, 0.0, 2.0) * moves_of_one;
+    const auto at = std::min(static_cast<std::size_t>(place), moves.size() - 2);
+    const double share = place - static_cast<double>(at);
+    return moves[at] + share * (moves[at + 1] - moves[at]);
+  }
+
+  Color moved(const Color& color, const glm::dvec3& by) const {
+    if (by == glm::dvec3(0)) return color;
+    Color result;
+    for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(srgb_.to_linear(srgb_.to_srgb(color[c]) + by[c]));
     return result;
   }
 
   DiffusionSurfaces surfaces_;
   const Template& fruit_;
   const SkinDepth& skin_;
-  std::vector<std::int32_t> leads_;             ///< per part
-  const std::vector<glm::dvec3>& lead_colors_;  ///< per part
+  static constexpr int moves_of_one = 128;  // for a ripeness of 1
+
+  SrgbTable srgb_;
+  std::vector<std::vector<glm::dvec3>> moves_;    ///< per leading part
+  std::vector<Room> rooms_;                       ///< per leading part
+  std::vector<std::int32_t> leads_;               ///< per part
+  const std::vector<glm::dvec3>& tissue_colors_;  ///< per part
   std::vector<std::int32_t> front_part_, back_part_;
   std::vector<std::optional<PartRipening>> ripening_;  // per part
 };
@@ -258,8 +328,10 @@ std::vector<glm::dvec3> tissue_colors(const DiffusionSurfaces& swept, const Diff
     const std::vector<std::int32_t> front = parts_of_vertices(*surfaces, SideOf::front),
                                     back = parts_of_vertices(*surfaces, SideOf::back);
     for (const std::vector<int>& tissue : fruit.variation.color.tissues) {
-      const std::optional<glm::dvec3> mean = mean_color(*surfaces, front, back, tissue.front());
-      if (mean) colors[static_cast<std::size_t>(tissue.front())] = *mean;
+      for (const int part : tissue) {
+        const std::optional<glm::dvec3> mean = mean_color(*surfaces, front, back, part);
+        if (mean) colors[static_cast<std::size_t>(part)] = *mean;
+      }
     }
   }
   return colors;

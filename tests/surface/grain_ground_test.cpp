@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -10,8 +12,10 @@
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/mesh/enclosures.h"
 #include "generator/surface/grains/grains.h"
 #include "generator/surface/sweep/dart_throwing.h"
+#include "generator/surface/sweep/sweep.h"
 #include "tests/surface/sketches.h"
 
 namespace pomona {
@@ -155,6 +159,48 @@ TEST(GrainLimits, OnlyTheFoldsNamedHaveGrains) {
 Template chambers() {
   const std::vector<Curve> loops{circle_at({0, 0.03}, 0.01), circle_at({0, -0.03}, 0.01)};
   return fruit({in_fold(circle_at({0.03, 0.04}, 0.01), loops)}, 2);
+}
+
+/// How many vertices of grains lie in no chamber, and how many grains there are.
+std::pair<int, std::size_t> outside_and_count(const Template& made) {
+  const DiffusionSurfaces walls = sweep(made), grains = scatter_grains(made, {});
+  std::vector<Enclosures::Triangle> triangles;
+  for (const glm::uvec3& t : walls.triangle)
+    triangles.push_back({{walls.position[t.x], walls.position[t.y], walls.position[t.z]}, 0});
+  const Enclosures chamber(triangles);
+  int outside = 0;
+  for (const glm::vec3& p : grains.position) outside += chamber.around(glm::dvec3(p)).empty();
+  return {outside, grains.vertex_count()};
+}
+
+/// Pips of lemons went through two segments.
+TEST(GrainWalls, KeepGrainsOnTheirSide) {
+  Template made = chambers();
+  for (const double sink : {-0.001, 0.0, 0.001}) {
+    GrainSketch sketch = round_grains(0.004);
+    sketch.on_front = sink == 0.001;
+    sketch.stance.sink = sink;
+    sketch.form = {.length = 0.004, .width = 0.003, .thickness = 0.002};
+    made.grains = {sketch};
+    const auto [outside, all] = outside_and_count(made);
+    EXPECT_GT(outside, 0);
+    made.grains[0].spacing.clear_of = {0};
+    const auto [outside_then, all_then] = outside_and_count(made);
+    EXPECT_EQ(outside_then, 0) << sink;
+    EXPECT_GT(all_then, all * 6 / 10) << sink;
+  }
+}
+
+TEST(GrainWalls, LeaveGrainsAloneThatAreClear) {
+  Template made = chambers();
+  GrainSketch sketch = round_grains(0.004);
+  sketch.on_front = false;
+  sketch.stance.sink = -0.004;
+  sketch.form = {.length = 0.002, .width = 0.002, .thickness = 0.002};
+  made.grains = {sketch};
+  const DiffusionSurfaces before = scatter_grains(made, {});
+  made.grains[0].spacing.clear_of = {0};
+  EXPECT_EQ(scatter_grains(made, {}).position, before.position);
 }
 
 TEST(GrainLimits, DepthTellsTheInnerArcFromTheOuter) {

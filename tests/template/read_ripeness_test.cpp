@@ -84,6 +84,12 @@ TEST(ReadColorVariation, is_one_number_or_one_for_each_part) {
   EXPECT_EQ(parts.parts, (std::vector<double>{0.03, 0, 0.01}));
 }
 
+TEST(ReadTissues, the_first_leads) {
+  const ColorVariation variation = plum_and("[variation]\ntissues = [[\"stone\", \"flesh\"]]\n").variation.color;
+  ASSERT_EQ(variation.tissues.size(), 1u);
+  EXPECT_EQ(variation.tissues.front(), (std::vector<int>{2, 1}));
+}
+
 const Mistake mistakes[] = {
     {"[ripeness]\n", 1, 1, "lacks \"part\""},
     {"[ripeness]\npart = 3\n", 2, 8, "must be"},
@@ -124,6 +130,10 @@ const Mistake mistakes[] = {
     {"[variation]\ncolor = 0.5\n", 2, 9, "color is 0.5"},
     {"[variation]\ncolor = { pit = 0.01 }\n", 2, 11, "unknown key \"pit\""},
     {"[variation]\nripeness = \"late\"\n", 2, 12, "must be a number"},
+    {"[variation]\ntissues = [[\"flesh\"]]\n", 2, 12, "must name two parts or more"},
+    {"[variation]\ntissues = [[\"flesh\", \"pit\"]]\n", 2, 22, "\"pit\" is not known"},
+    {"[variation]\ntissues = [[\"flesh\", \"flesh\"]]\n", 2, 22, "\"flesh\" is there already"},
+    {"[variation]\ntissues = [[\"skin\", \"flesh\"]]\ncolor = { flesh = 0.1 }\n", 3, 19, "follows \"skin\""},
 };
 
 TEST(ReadRipeness, mistakes_are_found_where_they_are) { expect_found(mistakes); }

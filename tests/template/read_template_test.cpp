@@ -12,6 +12,7 @@
 #include "generator/base/error.h"
 #include "generator/base/random.h"
 #include "generator/base/units.h"
+#include "generator/template/half_wall.h"
 #include "tests/template/plum.h"
 
 namespace pomona {
@@ -39,6 +40,20 @@ Template plum_with(const std::string& from, const std::string& to) {
   std::string text = text_of(root / "tests/template/good.toml");
   text.replace(text.find(from), from.size(), to);
   return parse_template(text, "plum.toml");
+}
+
+TEST(HalfWall, is_told_where_a_half_would_show_the_wall_between_chambers) {
+  const std::string loop = R"(horizontal = "M 2 -5 L 2 -15 L -2 -15 L -2 -5 Z")";
+  const std::string loops = R"(horizontal = ["M 2 -5 L 2 -15 L -2 -15 L -2 -5 Z", "M -2 5 L -2 15 L 2 15 L 2 5 Z"])";
+  std::string text = text_of(root / "tests/template/good.toml");
+  text.replace(text.find(loop), loop.size(), loops);
+  EXPECT_EQ(half_wall_warnings(parse_template(text, "plum.toml")).size(), 2u);  // folds from 0 and from 180 degrees
+  text.replace(text.find("folds = 2"), 9, "folds = 2\nfold_angles = [40, 220]");
+  EXPECT_TRUE(half_wall_warnings(parse_template(text, "plum.toml")).empty());
+  for (const fs::path& file : good_files()) {
+    if (file.parent_path() != root / "templates") continue;
+    EXPECT_TRUE(half_wall_warnings(read_template(file)).empty()) << file;
+  }
 }
 
 TEST(ReadTemplate, all_templates_of_the_project_are_good) {

@@ -222,6 +222,37 @@ TEST(SkinDepth, is_the_distance_to_the_outermost_boundary) {
   EXPECT_EQ(ball.height({0, 1, 0}), 1);
 }
 
+/// The stone's two sides, sRGB in 255ths.
+glm::dvec3 difference_across(const DiffusionSurfaces& surfaces, std::size_t vertex) {
+  return glm::dvec3(to_srgb8(surfaces.front_color[vertex])) - glm::dvec3(to_srgb8(surfaces.back_color[vertex]));
+}
+
+TEST(Tissues, stay_as_unlike_as_they_are_drawn) {
+  DiffusionSurfaces surfaces = nested_fruit();
+  const std::size_t stone = vertices_of(surfaces, "stone").front();
+  surfaces.back_color[stone] = Color(0.5f, 0.12f, 0.1f);
+  Template fruit = ripening_fruit();
+  fruit.variation.color = {.all = 0, .parts = {0, 0.04, 0}, .ripeness = 0.2, .tissues = {{1, 2}}};
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Template one = fruit;
+    one.individual = drawn_individual(fruit, {seed, 0});
+    one.parts = surfaces.part_names;
+    const DiffusionSurfaces varied = ripened(surfaces, one, SkinDepth(surfaces), tissue_colors(surfaces, {}, one));
+    EXPECT_NE(varied.back_color[stone], surfaces.back_color[stone]) << seed;
+    const glm::dvec3 moved = difference_across(varied, stone) - difference_across(surfaces, stone);
+    for (int c = 0; c < 3; ++c) EXPECT_LE(std::fabs(moved[c]), 5) << seed;
+  }
+}
+
+TEST(Tissues, keep_their_bits_in_the_fruit_as_drawn) {
+  const DiffusionSurfaces surfaces = nested_fruit();
+  Template fruit = ripening_fruit();
+  fruit.variation.color.tissues = {{1, 2}};
+  const DiffusionSurfaces same = ripened_to(1, fruit, surfaces);
+  EXPECT_EQ(same.front_color, surfaces.front_color);
+  EXPECT_EQ(same.back_color, surfaces.back_color);
+}
+
 TEST(Individuals, differ_as_far_as_declared_and_never_more_than_two_deviations) {
   Template fruit = ripening_fruit();
   fruit.variation.color = {.all = 0.01, .parts = {0.03, 0, 0}, .ripeness = 0.2};

@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-constexpr int steps = 24;           // that a grain moves, for each of its sizes
+constexpr int steps = 12;           // that a grain moves, for each of its sizes
 constexpr double clearance = 0.12;  // from a wall, in grains' smallest radii
 constexpr double overlap = 0.8;     // grains that moved may touch each other, but not beyond this share of their sizes
 

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "generator/mesh/triangle_distance.h"
 
@@ -96,15 +97,20 @@ WallPush GrainWalls::deepest(const GrainBody& body, const std::vector<std::uint3
   std::set_symmetric_difference(here.begin(), here.end(), home.begin(), home.end(), std::back_inserter(wrong));
   const BallSpace ball(body);
   double reach = 1;
+  const glm::dvec3 box = reach_of(body.pose);
   std::map<std::uint32_t, glm::dvec3> nearest;
   const auto look = [&](std::uint32_t triangle) {
     const Enclosures::Triangle& t = triangles_[triangle];
+    const glm::dvec3 low = glm::min(t.corner[0], glm::min(t.corner[1], t.corner[2]));
+    const glm::dvec3 high = glm::max(t.corner[0], glm::max(t.corner[1], t.corner[2]));
+    if (glm::any(glm::lessThan(high, body.center - reach * box)) ||
+        glm::any(glm::greaterThan(low, body.center + reach * box)))
+      return;
     const TriangleCorners corners{ball.to(t.corner[0]), ball.to(t.corner[1]), ball.to(t.corner[2])};
     const glm::dvec3 place = nearest_on_triangle(glm::dvec3(0), corners);
     const auto [known, is_new] = nearest.emplace(t.mesh, place);
     if (!is_new && glm::dot(place, place) < glm::dot(known->second, known->second)) known->second = place;
   };
-  const glm::dvec3 box = reach_of(body.pose);
   for (; reach < 9; reach *= 2) {
     for_each_near(body.center - reach * box, body.center + reach * box, look);
     const bool found = std::all_of(wrong.begin(), wrong.end(), [&](std::uint32_t m) { return nearest.contains(m); });

@@ -29,7 +29,7 @@ struct WallPush {
 /// Closed meshes, each of which has an inside and an outside.
 class GrainWalls {
  public:
-  /// \param cell the width of the grid in which triangles are looked up: about the length of a grain, metres.
+  /// \param cell the width of the grid in which triangles are looked up: less than the length of a grain, metres.
   GrainWalls(const std::vector<SweptGrid>& meshes, double cell);
 
   /// The meshes that a place lies in, ascending.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -133,7 +134,7 @@ GrainWalls walls_of(const Template& fruit, const GrainSketch& sketch, const Swee
     std::vector<SweptGrid> more = swept_grids(fruit, fruit.surfaces.at(static_cast<std::size_t>(surface)), options);
     std::move(more.begin(), more.end(), std::back_inserter(meshes));
   }
-  return {meshes, std::max({sketch.form.length, sketch.form.width, sketch.form.thickness})};
+  return {meshes, 0.7 * std::max({sketch.form.length, sketch.form.width, sketch.form.thickness})};
 }
 
 }  // namespace
@@ -144,6 +145,7 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
   const double size = fruit_size(fruit);
   double expected = 0;
   std::vector<std::vector<Dart>> thrown;
+  std::map<std::vector<int>, GrainWalls> walls;  // by the surfaces that kinds keep clear of
   for (const GrainSketch& sketch : fruit.grains) {
     // Refuse what would take too long before throwing the first dart.
     if (!(sketch.spacing.poisson_radius >= 1e-3 * size)) {
@@ -161,8 +163,10 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
       others.insert(others.end(), known.begin(), known.end());
     }
     std::vector<Dart> darts = filled(thrown_darts(targets, sketch, draws, options.threads, others), sketch, draws);
-    if (!sketch.spacing.clear_of.empty())
-      darts = with_room(std::move(darts), sketch, walls_of(fruit, sketch, options), others);
+    if (const std::vector<int>& clear_of = sketch.spacing.clear_of; !clear_of.empty()) {
+      if (!walls.contains(clear_of)) walls.emplace(clear_of, walls_of(fruit, sketch, options));
+      darts = with_room(std::move(darts), sketch, walls.at(clear_of), others);
+    }
     thrown.push_back(std::move(darts));
     append_grains(grains, sketch, thrown.back(), draws);
     for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, thrown.back(), draws);
