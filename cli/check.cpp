@@ -137,8 +137,7 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
     check_style(scene, file.parent_path());
     ComposeOptions options;
     options.find_template = find_template;
-    check_sources(scene, options);
-    return {};
+    return check_sources(scene, options);
   }
   if (is_batch_file(file)) {
     const BatchPlan plan = wanted_batch(file);

@@ -71,10 +71,11 @@ void check_distance(const PlainMesh& mesh, const MeshSolidOptions& options) {
 }
 
 /// Reports faults of the file with the place in the scene that names it.
-Solid solid_of_mesh(const DishDescription& dish, const std::filesystem::path& folder) {
+Solid solid_of_mesh(const DishDescription& dish, const std::filesystem::path& folder, std::vector<std::string>& notes) {
   try {
     const PlainMesh mesh = read_plain_mesh(folder / dish.mesh);
     check_distance(mesh, dish.as_solid);
+    for (const std::string& note : mesh.notes) notes.push_back("dish \"" + dish.name + "\": " + note);
     Solid solid = mesh_solid(mesh, dish.name, dish.as_solid);
     if (!solid.mesh.triangle.empty()) return solid;
     throw Error(ExitStatus::bad_data, "the mesh has no area", "export a mesh with triangles");
@@ -100,7 +101,7 @@ Solid bowl_solid(const BowlDescription& bowl) {
 std::size_t DishSolids::index_of(const DishDescription& dish) {
   for (std::size_t k = 0; k < known_.size(); ++k)
     if (made_alike(known_[k], dish)) return k;
-  Solid solid = dish.turned ? bowl_solid(*dish.turned) : solid_of_mesh(dish, folder_);
+  Solid solid = dish.turned ? bowl_solid(*dish.turned) : solid_of_mesh(dish, folder_, notes_);
   solid.name = dish.name;
   if (dish.turned) solid.own_look().materials.assign(solid.look->part_names.size(), dish.as_solid.material);
   known_.push_back(dish);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "generator/piece/solid.h"
@@ -25,10 +26,14 @@ class DishSolids {
 
   const Solid& solid(std::size_t index) const { return solids_[index]; }
 
+  /// What the files of its meshes leave open, and how it was taken, with the names of the dishes.
+  const std::vector<std::string>& notes() const { return notes_; }
+
  private:
   std::filesystem::path folder_;
   std::vector<DishDescription> known_;  ///< one a solid
   std::vector<Solid> solids_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace pomona

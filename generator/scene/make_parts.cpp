@@ -259,16 +259,18 @@ void add_dishes(const SceneDescription& scene, SceneParts& parts) {
     placed.solid = made[index];
     parts.dishes.push_back(std::move(placed));
   }
+  for (const std::string& note : solids.notes()) parts.report.warnings.push_back(note);
 }
 
 }  // namespace
 
-void check_sources(const SceneDescription& scene, const ComposeOptions& options) {
+std::vector<std::string> check_sources(const SceneDescription& scene, const ComposeOptions& options) {
   const std::vector<Template> templates = scene_templates(scene, options);
   layout_of(scene);
   check_cuts(scene, templates);
   DishSolids solids(std::filesystem::path(scene.file).parent_path());
   for (const DishDescription& dish : scene.dishes) solids.index_of(dish);
+  return solids.notes();
 }
 
 SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {

@@ -1,6 +1,9 @@
 // The parts of a scene: the solids of many cut variants, and dishes, before they are placed.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "generator/diffusion/diffuser.h"
 #include "generator/scene/compose_options.h"
 #include "generator/scene/scene_file.h"
@@ -8,9 +11,10 @@
 
 namespace pomona {
 
-/// Reads everything that the scene names (templates, meshes, the layout), and tests its knives.
+/// Reads everything that the scene names (templates, meshes, the layout), and tests its knives. Returns what the files
+/// of dishes leave open, and how it was taken.
 /// \throws Error at the place in the scene that names what is missing or wrong.
-void check_sources(const SceneDescription& scene, const ComposeOptions& options);
+std::vector<std::string> check_sources(const SceneDescription& scene, const ComposeOptions& options);
 
 /// Grows, cuts and colours all variants, in parallel, and picks their pieces. Without a diffuser the cut faces
 /// keep the colours of their rims: for layouts and tests.

@@ -1,8 +1,12 @@
 // A sample of what bench/cuts does a hundred thousand times: difficult cuts, compared with clipping triangle by
 // triangle.
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "generator/base/random.h"
 #include "generator/base/reproducible.h"
@@ -33,7 +37,6 @@ TEST(RobustCut, OfPlanesOutForTrouble) {
       const std::vector<Knife> knives{oracle.degenerate_plane(random, i)};
       SCOPED_TRACE(i);
       expect_right(oracle.facts(knives));
-      if (HasFailure()) return;
     }
   }
 }
@@ -47,7 +50,6 @@ TEST(RobustCut, OfRandomPlanesOneAndTwo) {
       if (i % 2 == 1) knives.push_back(oracle.random_plane(random, 2 * i + 1));
       SCOPED_TRACE(i);
       expect_right(oracle.facts(knives));
-      if (HasFailure()) return;
     }
   }
 }
@@ -60,7 +62,6 @@ TEST(RobustCut, OfStrokesAnywhereAndOverVertices) {
       const std::vector<Knife> knives{oracle.random_stroke(random, i)};
       SCOPED_TRACE(i);
       expect_right(oracle.facts(knives));
-      if (HasFailure()) return;
     }
   }
 }
@@ -75,7 +76,6 @@ TEST(RobustCut, OfClosedSurfacesOutForTrouble) {
       if (i % 4 == 2) knives.push_back(oracle.random_solid(random, 1000 + 7 * i));
       SCOPED_TRACE(i);
       expect_right(oracle.facts(knives));
-      if (HasFailure()) return;
     }
   }
 }
@@ -130,6 +130,46 @@ TEST(RobustCut, TellsAFaceFromAPlaneNextToIt) {
     const CutFacts facts = oracle.facts(std::vector<Knife>{knife});
     expect_right(facts);
     EXPECT_EQ(facts.pieces, offset > 0 && offset < 1 ? 2 : 1);
+  }
+}
+
+/// Planes in the faces of a block that lies anyhow, or next to them by about what floats resolve there.
+TEST(RobustCut, AlongTheFacesOfATurnedBlock) {
+  const RandomStream random({13, 0}, "test/robust");
+  const glm::dvec3 half(0.005, 0.01, 0.015);
+  for (std::uint64_t i = 0; i < 24; ++i) {
+    // A turn, and the block's own directions after it.
+    std::array<glm::dvec3, 3> way;
+    for (std::uint64_t k = 0; k < 2; ++k)
+      for (std::uint64_t c = 0; c < 3; ++c) way[k][static_cast<int>(c)] = random.uniform(100 * i + 3 * k + c) - 0.5;
+    way[0] = glm::normalize(way[0]);
+    way[2] = glm::normalize(glm::cross(way[0], way[1]));
+    way[1] = glm::cross(way[2], way[0]);
+    DiffusionSurfaces block = shapes::box(-half, half, i % 2 == 0 ? 1 : 3, shapes::skin_paint());
+    for (glm::vec3& p : block.position) {
+      const glm::dvec3 q(p);
+      p = glm::vec3(q.x * way[0] + q.y * way[1] + q.z * way[2]);
+    }
+    const double volume = shapes::signed_volume(block);
+
+    // By turns two, three or all six faces, each as far in or out.
+    for (const double inwards : {0.0, 1e-10, -1e-10, 3e-10, -1e-9, 1e-9, 3e-9, 6e-9, 1e-8, -1e-8, 3e-8, 1e-7}) {
+      std::vector<Knife> knives;
+      const std::size_t planes = i % 3 == 0 ? 2 : i % 3 == 1 ? 3 : 6;
+      for (std::size_t k = 0; k < planes; ++k) {
+        const glm::dvec3 normal = (k < 3 ? 1.0 : -1.0) * way[k % 3];
+        knives.push_back({PlaneCut(PlaneKnife{{normal, half[static_cast<int>(k % 3)] - inwards}})});
+      }
+      SCOPED_TRACE(std::to_string(i) + ", " + std::to_string(inwards * 1e9) + " nm");
+      const Cut cut = pomona::cut(block, knives, {.coarsest = 0.01, .finest = 0.005});
+      double sum = 0;
+      for (const CutPiece& piece : cut.pieces) {
+        EXPECT_TRUE(piece.closed);
+        EXPECT_GT(piece.volume, 0);
+        sum += piece.volume;
+      }
+      EXPECT_NEAR(sum, volume, 1e-6 * volume);
+    }
   }
 }
 

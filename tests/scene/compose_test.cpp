@@ -227,6 +227,14 @@ TEST_F(Dishes, HoldHeapsOfTheirOwn) {
   }
 }
 
+TEST_F(Dishes, WhatTheirFilesLeaveOpenIsTold) {
+  std::ofstream(folder_.path() / "noted.obj") << tray() << "f 1 2\n";
+  const Composition one = compose(
+      scene("[[dishes]]\nname = \"d\"\nmesh = \"noted.obj\"\nunit = \"1cm\"\n" + cherries + "total = 1\nin = \"d\"\n"),
+      nullptr, coarse());
+  EXPECT_THAT(one.report.warnings, testing::ElementsAre("dish \"d\": a face of less than three corners is left out"));
+}
+
 TEST_F(Dishes, ThatCannotBeAreToldInTheScene) {
   const auto told = [&](const std::string& text, ExitStatus status) {
     try {

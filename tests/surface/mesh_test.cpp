@@ -243,6 +243,12 @@ TEST(Kidney, ComesThroughEveryDoorAlike) {
 
 // ---- Mistakes ----
 
+TEST(Mesh, ObjFacesOfTwoCornersAreLeftOutAndTold) {
+  const PlainMesh mesh = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", "x.obj", {});
+  EXPECT_EQ(mesh.triangle.size(), 1u);
+  EXPECT_THAT(mesh.notes, testing::ElementsAre("a face of less than three corners is left out"));
+}
+
 TEST(Mesh, ObjMistakesHaveLineAndColumn) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   const std::vector<std::pair<std::string, std::string>> mistakes{
@@ -253,7 +259,7 @@ TEST(Mesh, ObjMistakesHaveLineAndColumn) {
       {"v 0 0 1e999\n", "x.obj:1:7: error: this is not a number"},
       {"v 0 0 1e30\n", "x.obj:1:7: error: this number is too large"},
       {"v 0 0 0x1\n", "x.obj:1:7: error: this is not a number"},
-      {three + "f 1 2\n", "x.obj:4:6: error: a face needs at least 3 vertices"},
+      {three + "f 1 2\n", "holds no faces"},
       {three + "f 1 2 4\n", "x.obj:4:7: error: there is no such vertex"},
       {three + "f 1 2 -4\n", "there is no such vertex"},
       {three + "f 0 1 2\n", "x.obj:4:3: error: there is no such vertex"},

@@ -273,7 +273,7 @@ constexpr BadFile bad_files[] = {
     {"not_a_number", ":11:5: error: this is not a number"},
     {"not_ply", ":1:1: error: this is no PLY file"},
     {"property_before_element", ":3:1: error: a property before the first element"},
-    {"two_corners", ":13:1: error: a face needs at least 3 vertices"},
+    {"two_corners", ":7:1: error: the file has no faces"},
     {"unknown_format", ":2:8: error: format \"ascii_utf16\" is not known"},
     {"unknown_keyword", ":7:1: error: \"elephant\" has no meaning in a PLY header"},
     {"unknown_type", ":5:10: error: \"quaternion\" is not a type"},
@@ -295,6 +295,17 @@ TEST_P(BadSurfaceFile, IsRefusedWithItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(Files, BadSurfaceFile, testing::ValuesIn(bad_files),
                          [](const auto& one) { return std::string(one.param.name); });
+
+TEST(SurfaceFile, FacesOfTwoCornersAreLeftOutAndTold) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 3\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n0.1 0 0\n0 0.1 0\n"
+      "2 0 1\n3 0 1 2\n0\n";
+  const DiffusionSurfaces surfaces = parse_surfaces(text, "x.ply");
+  EXPECT_EQ(surfaces.triangle_count(), 1u);
+  EXPECT_THAT(surfaces.notes, testing::ElementsAre("2 faces of less than three corners are left out"));
+  EXPECT_EQ(parse_plain_surfaces(text, "x.ply", {}).notes, surfaces.notes);
+}
 
 TEST(SurfaceFile, EveryBadFileIsInTheTable) {
   std::set<std::string> listed, present;

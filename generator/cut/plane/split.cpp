@@ -61,6 +61,7 @@ class Splitter {
     mesh_.same_as.resize(mesh_.point.size());
     std::iota(mesh_.same_as.begin(), mesh_.same_as.end(), 0u);
     input_points_ = mesh_.point.size();
+    find_flush();
     find_points_on_planes();
 
     // Triangles that are more than a line.
@@ -76,15 +77,71 @@ class Splitter {
     find_normals();
   }
 
+  /// Metres: flat faces no farther from a turned plane lie in it. Their corners, rounded to floats, lie within a step
+  /// of floats of the face's own plane; knives along it, by numbers that somebody has computed, within a few more.
+  void find_flush() {
+    constexpr double steps = 4, step = 0x1p-23;
+    double square = 0;
+    for (std::size_t p = 0; p < input_points_; ++p) square = std::max(square, glm::dot(mesh_.point[p], mesh_.point[p]));
+    flush_ = steps * step * std::sqrt(square);
+  }
+
   /// All before the first split: a point made between two that lie on a plane is then known to lie on it, too.
   void find_points_on_planes() {
+    // One plane alone cuts right however near it lies; it takes two for rounding to leave something open.
+    int turned = 0;
+    for (int plane = 0; plane < planes_.count(); ++plane) turned += is_turned(plane) ? 1 : 0;
     for (int plane = 0; plane < planes_.count(); ++plane) {
       if (planes_[plane].same_as != plane) continue;
       for (std::size_t p = 0; p < input_points_; ++p) {
         if (exact_distance(planes_[plane].plane, mesh_.point[p]) != 0) continue;
         mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], plane);
       }
+      if (turned > 1 && is_turned(plane)) find_flush_triangles(plane);
     }
+  }
+
+  bool is_turned(int plane) const {
+    const glm::dvec3& n = planes_[plane].plane.normal;
+    return planes_.facet(plane) == nullptr && std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}) < 1;
+  }
+
+  /// Boundary triangles that a turned plane runs along, as near as floats can tell, lie in it: what it would slice off
+  /// there is thinner than pieces can be, and rounding alone would say where it ends. Planes across an axis cut at
+  /// coordinates that are right to the bit, and slice as thinly as they are told.
+  void find_flush_triangles(int plane) {
+    bool more = mark_flush(plane, 0, flush_);
+    // All of a flat face, or nothing: what is next to a flush triangle may lie twice as far away.
+    while (more) more = mark_flush(plane, 2, 2 * flush_);
+  }
+
+  /// Of triangles that have so many corners in the plane already, those no farther from it than `reach`. False if there
+  /// is none with a corner that was not known to lie there.
+  bool mark_flush(int plane, int known, double reach) {
+    const auto lies_there = [&](std::uint32_t p) { return mesh_.sets.has(mesh_.planes_of[p], plane); };
+    const auto is_near = [&](std::uint32_t p) {
+      return lies_there(p) || std::fabs(signed_distance(planes_[plane].plane, mesh_.point[p])) <= reach;
+    };
+    bool found = false;
+    for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
+      if (!surfaces_.is_boundary(t)) continue;
+      const glm::uvec3& corner = surfaces_.triangle[t];
+      const std::array<std::uint32_t, 3> p{mesh_.point_of[corner.x], mesh_.point_of[corner.y],
+                                           mesh_.point_of[corner.z]};
+      const auto there = std::count_if(p.begin(), p.end(), lies_there);
+      if (there < known || there == 3 || !std::all_of(p.begin(), p.end(), is_near) || is_thin(p)) continue;
+      for (const std::uint32_t point : p) mesh_.planes_of[point] = mesh_.sets.with(mesh_.planes_of[point], plane);
+      found = true;
+    }
+    return found;
+  }
+
+  /// True if it is so narrow that it is near to many planes.
+  bool is_thin(const std::array<std::uint32_t, 3>& p) const {
+    const glm::dvec3 a = mesh_.point[p[1]] - mesh_.point[p[0]], b = mesh_.point[p[2]] - mesh_.point[p[1]],
+                     c = mesh_.point[p[0]] - mesh_.point[p[2]];
+    const double longest = std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}));
+    return glm::length(glm::cross(a, b)) <= 1e3 * flush_ * longest;
   }
 
   /// Area-weighted, of the boundary triangles that meet at a point.
@@ -368,6 +425,7 @@ class Splitter {
   int plane_ = 0, shared_ = 0;
   std::size_t input_points_ = 0;
   bool in_stroke_ = false;
+  double flush_ = 0;
   std::vector<double> distance_;  // without sign
   std::vector<std::int8_t> side_;
   EdgeMap<std::uint32_t> new_points_, new_vertices_;

@@ -46,7 +46,9 @@ class ObjParser {
     append_faces();
     if (mesh_.triangle.empty()) fail_whole("holds no faces", "export the mesh as polygons");
     color_vertices();
-    return without_unused(mesh_);
+    PlainMesh used = without_unused(mesh_);
+    if (faces_left_out_ > 0) used.notes.push_back(few_corners_note(faces_left_out_));
+    return used;
   }
 
  private:
@@ -246,7 +248,11 @@ class ObjParser {
       corners_.push_back(corner(text));
     }
     const std::size_t count = corners_.size() - first;
-    if (count < 3) fail("a face needs at least 3 vertices");
+    if (count < 3) {
+      corners_.resize(first);
+      ++faces_left_out_;
+      return;
+    }
     triangles_ += count - 2;
     if (!object_.empty() && here_ == 0) {
       corners_.resize(first);
@@ -334,6 +340,7 @@ class ObjParser {
   std::vector<Face> faces_;
   std::vector<Awaited> furthest_;
   std::size_t triangles_ = 0;
+  std::size_t faces_left_out_ = 0;  ///< of less than three corners
   PlainMesh mesh_;
 };
 

@@ -13,6 +13,11 @@ std::string listed_names(const std::vector<std::string>& names) {
   return names.size() > max ? text + ", ..." : text;
 }
 
+std::string few_corners_note(std::size_t faces) {
+  return faces == 1 ? "a face of less than three corners is left out"
+                    : std::to_string(faces) + " faces of less than three corners are left out";
+}
+
 PlainMesh without_unused(const PlainMesh& mesh) {
   constexpr std::uint32_t unused = UINT32_MAX;
   std::vector<std::uint32_t> index(mesh.position.size(), unused);

@@ -24,6 +24,9 @@ constexpr std::size_t max_mesh_triangles = 2'000'000;
 /// "capsule, pyramids, fat", for messages about an object that a file lacks.
 std::string listed_names(const std::vector<std::string>& names);
 
+/// "2 faces of less than three corners are left out", for notes.
+std::string few_corners_note(std::size_t faces);
+
 /// The same without vertices that no triangle uses.
 PlainMesh without_unused(const PlainMesh& mesh);
 

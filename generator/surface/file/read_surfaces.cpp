@@ -360,7 +360,10 @@ class SurfaceReader {
       }
       if (srgb.is_there()) srgb.add(color);
       face.index = static_cast<std::uint32_t>(i);
-      append(std::move(face));
+      if (face.corners.size() < 3)
+        ++faces_left_out_;
+      else
+        append(std::move(face));
     }
   }
 
@@ -414,8 +417,7 @@ class SurfaceReader {
 
   void read_corners(const PlyProperty& property, Face& face) {
     const std::uint64_t count = ply_.list_length(property);
-    if (count < 3) ply_.fail("a face needs at least 3 vertices");
-    if (surfaces_.triangle_count() + count - 2 > max_triangles) ply_.fail("more than 10 000 000 triangles");
+    if (surfaces_.triangle_count() + count > max_triangles + 2) ply_.fail("more than 10 000 000 triangles");
     for (std::uint64_t k = 0; k < count; ++k) face.corners.push_back(corner_of(ply_.value(property.type)));
   }
 
@@ -523,6 +525,7 @@ class SurfaceReader {
 
   void name_surfaces_and_parts() {
     note_texture();
+    if (faces_left_out_ > 0) surfaces_.notes.push_back(few_corners_note(faces_left_out_));
     for (const std::string& comment : ply_.header().comments) {
       read_name(comment, "surface ", surfaces_.surface_names);
       read_name(comment, "part ", surfaces_.part_names);
@@ -567,6 +570,7 @@ class SurfaceReader {
   std::vector<std::uint32_t> face_of_;  ///< for each triangle
   std::vector<Face> awaiting_;          ///< polygons that came before their vertices
   bool has_color_ = false, paints_backs_ = false;
+  std::size_t faces_left_out_ = 0;  ///< of less than three corners
   DiffusionSurfaces surfaces_;
 };
 
