@@ -1,4 +1,4 @@
-// The pictures of the error atlas: one section coloured in several ways, side by side, and where they differ.
+// The pictures of the error atlas: one section coloured in several ways, side by side, and its differences.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// How far colours are from the truth.
+// The errors of colours.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace pomona::bench {
 
-/// In parts of 255. `rms` over all channels of all points; the others over points, each by its worst channel.
+/// In parts of 255. `rms` is over all channels of all points; the others are over points, each by its worst channel.
 struct ColorErrors {
   double rms = 0, mean = 0, p95 = 0, max = 0;
 };

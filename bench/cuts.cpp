@@ -1,5 +1,5 @@
-// Cuts by the hundred thousand, random and out for trouble, of every template at about 2 000 triangles: nothing aborts,
-// no chain and no piece is open, areas and volumes are those that clipping triangles one by one gives.
+// A hundred thousand random and difficult cuts of every template at about 2 000 triangles: nothing aborts, no chain and
+// no piece is open, areas and volumes agree with clipping triangles one by one.
 //   cuts [FRUIT...] [--random N] [--degenerate N] [--pairs N] [--strokes N] [--solids N] [--peels N] [--triangles N]
 //   [--out FILE] [--json FILE] [--threads N]
 #include <algorithm>
@@ -40,11 +40,11 @@ struct Options {
 /// What issue 6 allows.
 constexpr double max_area_error = 1e-9, max_volume_error = 1e-6, max_curved_volume_error = 1e-5;
 
-/// Cuts that are done between two savings of the figures.
+/// The number of cuts between two saves of the figures.
 constexpr int chunk = 250;
 
-/// Without so many of the small parts, grains that is, that no more than about `triangles` are left, if that can be:
-/// the large parts stay, and of the others every so-manieth.
+/// Takes small parts (grains) away until about `triangles` are left, if possible: large parts stay, and of the small
+/// ones every n-th.
 DiffusionSurfaces thinned(const DiffusionSurfaces& fruit, int triangles) {
   const std::vector<std::uint32_t> welded = weld(fruit.position);
   DisjointSets parts(fruit.vertex_count());
@@ -58,7 +58,7 @@ DiffusionSurfaces thinned(const DiffusionSurfaces& fruit, int triangles) {
   for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
     if (fruit.is_boundary(t)) ++boundary[parts.root(welded[fruit.triangle[t].x])];
   }
-  std::uint32_t skin = 0;  // the largest part of the boundary; what is not much smaller stays, too
+  std::uint32_t skin = 0;  // the largest part of the boundary; parts that are not much smaller stay, too
   for (const auto& [part, count] : boundary) {
     if (count > boundary[skin]) skin = part;
   }

@@ -1,5 +1,5 @@
 // 64 dice against one cut of the same fruit: along each of the nine planes the dice are cut by, and `half` and
-// `across`. All of it again and again by turns, so that what else the machine does slows all of it alike.
+// `across`. All are repeated by turns, so that other work on the machine slows all of them alike.
 //   dice [NAME...] [--triangles N] [--runs N] [--threads N]
 #include <algorithm>
 #include <cstdio>

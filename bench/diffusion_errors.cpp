@@ -1,5 +1,5 @@
-// The errors of draft and final, which are their promise: every template, four cuts, against the reference, in linear
-// channels and in sRGB. Also of other numbers of lines, to choose by.
+// The errors of draft and final, which the documents promise: every template, four cuts, compared with the reference,
+// in linear channels and in sRGB; and of other numbers of lines, to choose from.
 //   diffusion_errors [FRUIT...] [--points N] [--lines N...] [--json FILE]
 #include <algorithm>
 #include <cstdio>

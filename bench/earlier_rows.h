@@ -1,4 +1,4 @@
-// Long reports can be resumed: rows that lie in their file already are not measured again.
+// Long reports can be resumed: rows that are in their file already are not measured again.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace pomona::bench {
 
-/// The rows of a report as it was last written; none if the file is not there.
+/// The rows of a report as it was last written; none if there is no file.
 /// \throws Error (bad data) if it is no report.
 std::vector<nlohmann::ordered_json> earlier_rows(const std::filesystem::path& report);
 

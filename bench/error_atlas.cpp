@@ -1,5 +1,5 @@
-// Where positive mean values and the grid differ from true diffusion: for every template and three cuts, a picture
-// and three figures. The truth is a walk on spheres, kept on disk; a run that was stopped goes on where it was.
+// Where positive mean values and the grid differ from true diffusion: for every template and three cuts, a picture and
+// three figures. The truth is a walk on spheres, kept on disk; a stopped run continues where it was.
 //   error_atlas [FRUIT...] [--out FOLDER] [--keep FOLDER] [--standard-error E] [--json FILE]
 #include <cmath>
 #include <cstdio>

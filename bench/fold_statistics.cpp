@@ -56,8 +56,8 @@ class Spread {
   double count_ = 0;
 };
 
-/// The samples of one surface. What is drawn is a sum of samples, so that its mean and covariance follow from
-/// those of the weights and from the samples' products with each other.
+/// The samples of one surface. A drawn fold is a sum of samples, so its mean and covariance follow from those of the
+/// weights and from the samples' products with each other.
 class SampleSpace {
  public:
   explicit SampleSpace(const FoldSamples& samples) {
@@ -79,7 +79,10 @@ class SampleSpace {
   std::size_t count() const { return products_.size(); }
   double scale() const { return scale_; }
   const Vector& mean() const { return mean_; }
-  double product(std::size_t a, std::size_t b) const { return products_[a][b]; }  ///< of two samples less their mean
+  double product(std::size_t a, std::size_t b) const {
+    return products_[a][b];
+  }  ///< the product of two samples less
+     ///< their mean
 
   /// Squared length of a weighted sum of the samples less their mean.
   double squared_length(const Vector& weights) const {
@@ -169,7 +172,7 @@ class WeightMoments {
   std::vector<Vector> products_;
 };
 
-/// What all surfaces add up to before it is made relative.
+/// The sums over all surfaces, before they are made relative.
 struct Sums {
   double variance = 0, squared_covariance = 0, chance_covariance = 0, chance_mean = 0;
   double mean_error = 0, covariance_error = 0, mean_shift = 0;

@@ -1,4 +1,4 @@
-// Whether the folds of variants are drawn as the samples say, and what is left of that.
+// Whether the folds of variants are drawn with the statistics of the samples, and how much later steps change that.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct FoldStatistics {
   /// Variance over the samples' variance: of the unclipped draw, once clipped, once stepped down where
   /// something would have crossed, once joined along the fold lines.
   double unclipped = 0, clipped = 0, stepped = 0, joined = 0;
-  double mean_shift = 0;  ///< of what comes out, in the samples' standard deviation
+  double mean_shift = 0;  ///< shift of the final curves' mean, in the samples' standard deviation
 };
 
 FoldStatistics fold_statistics(const Template& fruit, const VariantSettings& settings,

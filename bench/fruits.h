@@ -13,21 +13,22 @@
 namespace pomona::bench {
 
 struct BenchFruit {
-  std::string name;  ///< of the template
+  std::string name;  ///< name of the template
   Template drawn;
   GrownFruit grown;  ///< seed 0
 };
 
-/// Those named, or all in templates/, sorted by name. \throws Error (input_missing) for a name that is none.
+/// The fruits with these names, or all in templates/, sorted by name. \throws Error (input_missing) for a name that is
+/// none.
 std::vector<std::string> fruit_names(const std::vector<std::string>& wanted = {});
 
-/// Where the template of this name lies.
+/// The path of the template with this name.
 std::filesystem::path template_path(const std::string& name);
 
 /// `detail`: as in SweepOptions.
 BenchFruit grow_fruit(const std::string& name, double detail = 1);
 
-/// The detail, from 0.1 to 4, at which the template has about so many triangles.
+/// The detail, from 0.1 to 4, at which the template has about this number of triangles.
 double detail_for(const std::string& name, int triangles);
 
 /// The three cuts of the error atlas: half, across, and a slanted plane through the middle.

@@ -1,4 +1,4 @@
-// Diffusion by OpenGL: the sections of all templates in one batch, how long it takes, on what, and how far from the
+// Diffusion by OpenGL: the sections of all templates in one batch, the time, the device, and the difference from the
 // CPU.
 //   gl_diffusion [--quality draft|final|reference] [--points N] [--runs N] [--json] [TEMPLATE...]
 #include <algorithm>
@@ -26,7 +26,7 @@ using namespace pomona::bench;
 
 struct Options {
   std::string quality = "final";
-  std::size_t points = 0;  // of each section at most; 0 = all
+  std::size_t points = 0;  // largest number of points of each section; 0 = all
   int runs = 3;
   bool without_reference = false;
   bool json = false;
@@ -85,7 +85,7 @@ std::vector<Comparison> compared(const std::vector<DiffusedColors>& gl, const st
   return comparisons;
 }
 
-/// What has been measured, apart from the sections one by one.
+/// The measurements of all sections together.
 struct Measured {
   std::string device;
   bool hardware = false;

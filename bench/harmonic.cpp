@@ -1,4 +1,4 @@
-// What true diffusion on the grid costs: set-up, solution, sampling, memory; for the seeded fruit and every template.
+// The cost of true diffusion on the grid: set-up, solution, sampling, memory; for the seeded fruit and every template.
 //   harmonic_bench [--threads N] [--runs N] [--nodes N] [--bend B] [--quality NAME...] [--truth FILE...] [--json]
 //   [FRUIT...]
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Subject {
   DiffusionSurfaces surfaces;
   std::vector<glm::vec3> points;  ///< of sections
   std::vector<glm::vec3> known_points;
-  std::vector<Color> known_colors;  ///< true within `standard_error`
+  std::vector<Color> known_colors;  ///< colours from walks, exact within `standard_error`
   double standard_error = 0;        ///< in 1/255
 };
 
@@ -90,7 +90,7 @@ void add_truth(Subject& subject, const std::string& file) {
   subject.standard_error = std::sqrt(squares / static_cast<double>(known["standard_error"].size()));
 }
 
-/// A square of texels across the middle, two thirds as wide: inside every fruit there is.
+/// A square of texels across the middle, two thirds as wide as the fruit, which lies inside every fruit.
 std::vector<glm::vec3> texels_across(const DiffusionSurfaces& surfaces) {
   const Box<double> bounds = bounds_of(surfaces);
   std::vector<glm::vec3> texels;
@@ -111,7 +111,7 @@ Row measured(const Subject& subject, const HarmonicOptions& options, int runs) {
   row.points = subject.points.size();
   const GridOptions grid = grid_options(subject.surfaces, options);
 
-  // The two halves of the work by themselves, then all that a field takes.
+  // Times the two halves of the work alone, then all of a field.
   const glm::dvec3 size = bounds_of(subject.surfaces).size();
   row.nodes = static_cast<int>(std::max({size.x, size.y, size.z}) / grid.spacing + 0.5);
   std::optional<PreparedField> prepared;

@@ -14,7 +14,7 @@ struct LoopShape {
   std::array<double, 3> power{};  ///< its variance in harmonics 1 to 3, 4 to 15 and 16 to 63
 };
 
-/// All loops that variants of a cylindrical template synthesise; none of other templates.
+/// All loops that variants of a cylindrical template synthesise; empty for other templates.
 std::vector<LoopShape> loop_shapes(const Template& fruit);
 
 /// Over all loops. Variances and powers are sums over the loops, means over the variants.

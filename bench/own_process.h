@@ -6,8 +6,8 @@
 
 namespace pomona::bench {
 
-/// What `work` returns there. Errors end the other process, which has told them on standard error.
-/// \throws std::runtime_error if there is no other process, or it came to no end.
+/// What `work` returns there. Errors end the other process, which prints them to standard error.
+/// \throws std::runtime_error if the other process cannot be started or fails.
 std::string in_own_process(const std::function<std::string()>& work);
 
 }  // namespace pomona::bench

@@ -1,7 +1,7 @@
-// How long the big picture takes once its pieces are ready, and how much memory all of it needs.
-//   picture [--scene scenes/salad.toml] [--layout out/bench_layout.json] [--width 1920] [--height 1080] [--runs 3]
-// Cut faces are left undiffused: their colours are wrong, their triangles are not. Poses are kept in the layout file,
-// so that only the first run lets the pieces fall.
+// The time of the big picture once its pieces are ready, and the memory of the whole.
+// picture [--scene scenes/salad.toml] [--layout out/bench_layout.json] [--width 1920] [--height 1080] [--runs 3] Cut
+// faces are left undiffused: their colours are wrong, their triangles are not. Poses are kept in the layout file, so
+// only the first run settles the pieces.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

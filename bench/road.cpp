@@ -1,5 +1,5 @@
-// The whole road of one item, stage by stage: a new variant of each template, cut, as the bytes of a .glb with vertex
-// colours; on one thread.
+// All stages of one item: a new variant of each template, cut, as the bytes of a .glb with vertex colours; on one
+// thread.
 //   road [--seeds N] [--runs N] [--quality draft|final] [--knife KNIFE] [--json] [NAME...]
 // Each template and quality is measured in a process of its own, so that its peak of memory is its own.
 #include <algorithm>
@@ -42,17 +42,16 @@ struct Settings {
   std::vector<std::string> names;
 };
 
-/// In the order of the road. "ready" is what a template needs once for all of its variants.
+/// In the order in which they run. "ready" is what a template needs once for all of its variants.
 const std::vector<std::string> stages = {"read", "ready", "vary", "sweep", "cut", "diffuse", "style", "write"};
 
-/// One item: how long each stage took by the clock, and all of it, what is thrown away included, by the processor;
-/// milliseconds.
+/// One item, in milliseconds: each stage by the clock, and the whole by the processor, including freeing memory.
 struct ItemTimes {
   StageClock stages;
   double processor = 0;
 };
 
-/// All that `pomona cut` does for one fruit, but for writing to the disk.
+/// All that `pomona cut` does for one fruit, except writing to the disk.
 StageClock walk_road(const std::string& name, std::uint64_t seed, const Knife& knife, const Diffuser& diffuser) {
   StageClock clock;
   const VariantKey key{seed, 0};
@@ -87,7 +86,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Of one template: each column's median over the seeds.
+/// The medians of one template: each column's over the seeds.
 Json measured(const std::string& name, Quality quality, const Settings& settings) {
   std::map<std::string, std::vector<double>> times;
   for (int seed = 1; seed <= settings.seeds; ++seed) {

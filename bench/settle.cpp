@@ -1,4 +1,4 @@
-// Settling 30 to 10 000 pieces: time, memory, and how well they lie.
+// Settling 30 to 10 000 pieces: time, memory, and the remaining faults.
 //   settle [--seed N] [--threads N] [--stages] [PIECES...]
 #include <algorithm>
 #include <cstdio>
@@ -90,7 +90,7 @@ SceneParts made_pieces(Threads threads) {
   return make_parts(parse_scene(mixed, "mixed.toml"), nullptr, options);
 }
 
-/// So many items, the scene's over and over.
+/// This number of items; those of the scene are repeated.
 std::vector<SettleItem> repeated(const SceneParts& parts, std::size_t count) {
   std::vector<SettleItem> items;
   for (std::size_t i = 0; i < count; ++i) {
@@ -100,7 +100,7 @@ std::vector<SettleItem> repeated(const SceneParts& parts, std::size_t count) {
   return items;
 }
 
-/// As full with so many pieces as the scene's bowl is with its own.
+/// A bowl that is as full with these pieces as the scene's bowl is with its own.
 Solid scaled_bowl(const SceneParts& parts, std::size_t count) {
   Solid bowl = parts.solids[static_cast<std::size_t>(parts.dishes.at(0).solid)];
   const double share = static_cast<double>(count) / static_cast<double>(parts.items.size());
@@ -109,7 +109,7 @@ Solid scaled_bowl(const SceneParts& parts, std::size_t count) {
   return bowl;
 }
 
-/// Tells layouts apart: FNV-1a over the poses' bits.
+/// A hash that tells layouts apart: FNV-1a over the poses' bits.
 std::string hash_of(const std::vector<Pose>& poses) {
   std::uint64_t hash = 14695981039346656037u;
   for (const Pose& pose : poses) {

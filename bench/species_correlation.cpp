@@ -8,7 +8,7 @@ namespace pomona::bench {
 
 namespace {
 
-/// Less their mean, and of length 1; nothing where all are equal.
+/// The values less their mean, scaled to length 1; nothing if all are equal.
 std::optional<std::vector<double>> normalized(std::vector<double> values) {
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   double squares = 0;

@@ -1,4 +1,4 @@
-// Whether species vary by themselves: correlation of their sizes and proportions at equal seeds.
+// Whether species vary independently: the correlation of their sizes and proportions at equal seeds.
 #pragma once
 
 #include <string>

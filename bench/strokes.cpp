@@ -1,4 +1,4 @@
-// How long the ink of a scene takes, and the whole picture; how much ink flickers when the camera turns.
+// The time of a scene's ink, and of the whole picture; and how much ink flickers when the camera turns.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -30,7 +30,7 @@ Scene turned(Scene scene, double degrees) {
   return scene;
 }
 
-/// Share of the ink, by area, that has none within `reach` pixels in the other picture.
+/// The share of the ink, by area, that has no ink within `reach` pixels in the other picture.
 double lost_ink(const std::vector<SceneStroke>& from, const std::vector<SceneStroke>& to, double reach) {
   InkLayer there(picture.width, picture.height);
   for (const SceneStroke& stroke : to) {

@@ -44,7 +44,7 @@ struct Options {
   int threads = 0;
 };
 
-/// All that is known of one model. Milliseconds by the clock unless said; NaN where there is nothing.
+/// All measurements of one model. Milliseconds by the clock unless noted; NaN where nothing was measured.
 struct Row {
   std::string name, type;
   std::size_t vertices = 0, faces = 0;
@@ -53,7 +53,7 @@ struct Row {
   std::size_t interior_vertices = 0;
   double draft = 0, final = 0;
   double cube_maps = nothing;  ///< extrapolated from some of the vertices
-  std::string renderer;        ///< that drew them
+  std::string renderer;        ///< OpenGL's renderer that drew the cube maps
   double poisson = nothing, poisson_megabytes = nothing;
   std::string why_no_poisson;
   double grid_set_up = 0, grid_look_up = 0;
@@ -171,7 +171,7 @@ TextTable paper_columns(const std::vector<Row>& rows) {
   return table;
 }
 
-/// What diffusion costs, milliseconds unless said.
+/// The cost of diffusion, in milliseconds unless noted.
 TextTable diffusion_columns(const std::vector<Row>& rows) {
   TextTable table{{"model", "interior vertices", "draft", "final", "cube maps", "/ final", "Poisson set-up s",
                    "storage MB", "grid set-up", "look-up", "Poisson / grid set-up"},

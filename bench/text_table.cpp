@@ -7,7 +7,7 @@
 namespace pomona::bench {
 
 std::string markdown(const TextTable& table) {
-  // How wide each column has to be.
+  // The width of each column.
   std::vector<std::size_t> width;
   for (const std::string& name : table.head) width.push_back(std::max<std::size_t>(name.size(), 3));
   for (const auto& row : table.rows) {

@@ -8,7 +8,7 @@ namespace pomona::bench {
 
 struct TextTable {
   std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;  ///< as many entries as the head
+  std::vector<std::vector<std::string>> rows;  ///< each with as many entries as the head
 };
 
 /// Lines of Markdown, aligned: they read well in a terminal and can be pasted into a document. The first column is

@@ -1,8 +1,7 @@
-// Baking: texels a second, charts and how well the atlas is filled.
-//   textures [--texels N] [--threads N] [--knife KNIFE] [--draft] [--truth] [NAME...]
-// Names are those of templates; none means all. Each is cut, in half unless --knife says otherwise, and its pieces are
-// baked, plain, on the CPU. --truth bakes them once more with every texel diffused by itself, which takes long, and
-// tells by how much the two differ.
+// Baking: texels a second, charts, and the share of the atlas that is filled.
+// textures [--texels N] [--threads N] [--knife KNIFE] [--draft] [--truth] [NAME...] Names are those of templates; none
+// means all. Each is cut, in half unless --knife says otherwise, and its pieces are baked, plain, on the CPU. --truth
+// bakes them once more with every texel diffused by itself, which takes long, and prints the difference.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -56,7 +55,7 @@ Settings settings_from(int argc, char** argv) {
   return settings;
 }
 
-/// How far apart two sets of textures are, of 255.
+/// The differences of two sets of textures, in parts of 255.
 struct Difference {
   double rms = 0;
   int largest = 0;
@@ -105,7 +104,7 @@ void measure(const std::string& name, const Settings& settings) {
               time.processor * 1e-3, charts, first.mean_stretch, first.worst_stretch, 100 * first.filled,
               first.mip_levels);
 
-  // What they stand for.
+  // Their truth: every texel diffused by itself.
   if (settings.truth) {
     options.every_texel = true;
     std::vector<BakedSolid> truth;

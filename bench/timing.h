@@ -13,10 +13,10 @@ struct Duration {
 
 Duration time_of(const std::function<void()>& work);
 
-/// Of `runs` runs, each by itself.
+/// The times of `runs` runs.
 Duration median_time(int runs, const std::function<void()>& work);
 
-/// The largest amount of memory this process has held so far, in megabytes.
+/// The peak of this process's memory so far, in megabytes.
 double peak_megabytes();
 
 }  // namespace pomona::bench

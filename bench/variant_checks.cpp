@@ -15,7 +15,7 @@ namespace pomona::bench {
 
 namespace {
 
-/// Of this thread.
+/// The processor time of this thread.
 double processor_milliseconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -43,7 +43,7 @@ std::ptrdiff_t loops_of(const SurfaceSketch& sketch) {
                        [](const Curve& loop) { return !loop.points.empty(); });
 }
 
-/// At most 1024, evenly among the indices.
+/// At most 1024 vertices, evenly spread over the indices.
 std::vector<glm::vec3> some_of(const std::vector<glm::vec3>& positions) {
   const std::size_t step = (positions.size() + 1023) / 1024;
   std::vector<glm::vec3> some;

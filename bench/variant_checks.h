@@ -1,4 +1,4 @@
-// What is looked at in every variant: whether anything crosses, whether it is closed, whether it is connected as drawn.
+// The checks of every variant: whether anything crosses, whether it is closed, whether it is connected as drawn.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@ struct VariantSettings {
   VariationOptions how;
 };
 
-/// What one variant shows.
+/// The findings of one variant.
 struct VariantFacts {
   std::vector<std::string> crossing_curves;  ///< surfaces with a curve that meets itself and is none such as drawn
   std::map<std::string, int> crossings;      ///< "skin x core": pairs of triangles, where the drawing has none
-  int open_shells = 0;                       ///< more than as drawn
+  int open_shells = 0;                       ///< number beyond the drawing's
   /// With the counts of the drawing the same triangles; with others as many for each loop as the drawn folds in turn.
   bool connected_as_drawn = true;
   double size = 0, slenderness = 0;  ///< logarithms: of the bounds' diagonal in metres, of height over greater width
@@ -36,7 +36,7 @@ struct VariantFacts {
   double vary_milliseconds = 0, sweep_milliseconds = 0;  ///< processor time
 };
 
-/// A drawing and what it shows itself, to hold variants against.
+/// A drawing and its own findings, to compare variants with.
 class VariantChecks {
  public:
   VariantChecks(const Template& fruit, const VariantSettings& settings);

@@ -1,4 +1,4 @@
-// How unlike each other variants are.
+// How different variants are from each other.
 #pragma once
 
 #include <functional>

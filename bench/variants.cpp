@@ -1,5 +1,5 @@
-// Variants by the thousand: whether anything crosses, stays open or is connected otherwise; whether folds and loops are
-// drawn as the sample says; how unlike each other variants are, and whether species vary by themselves.
+// Thousands of variants: whether anything crosses, stays open or is connected otherwise; whether folds and loops have
+// the statistics of the samples; how different variants are, and whether species vary independently.
 // docs/reports/variation.md shows what it prints.
 //   variants [FRUIT...] [--count N] [--natural] [--out FILE] [--json FILE] [--threads N]
 #include <algorithm>
@@ -40,7 +40,7 @@ struct Options {
   int threads = 0;
 };
 
-/// The distance that no two variants at variation 1 come nearer than, in percent of the size.
+/// The least distance of two variants at variation 1, in percent of the size.
 constexpr double stated_distance = 0.01;
 
 /// No two species' sizes or proportions are correlated by more, over this many seeds or more.
@@ -53,7 +53,7 @@ std::vector<VariantFacts> all_facts(const VariantChecks& checks, const VariantSe
   return facts;
 }
 
-/// What keeps variants from being sound, each with the number of variants it is found in.
+/// The faults of variants, each with the number of variants that have it.
 Json defects_of(const std::vector<VariantFacts>& facts) {
   int crossing_curves = 0, crossing_surfaces = 0, open = 0, connected_otherwise = 0;
   std::map<std::string, int> where, max;
@@ -292,7 +292,7 @@ std::string text_of(const std::vector<Json>& rows) {
          "\nWhat crosses that does not as drawn\n\n" + defect_list(rows);
 }
 
-/// Rows that an earlier run has left.
+/// The rows that an earlier run has left.
 bool is_of(const Json& row, const std::string& name, const VariantSettings& settings) {
   return row["fruit"].get<std::string>() == name && row["variants"].get<int>() == settings.count &&
          row["variation"].get<double>() == settings.how.amount &&

@@ -1,4 +1,4 @@
-// True colours at points of a fruit's section, by walks on spheres, for others to be held against.
+// True colours at points of a fruit's section, by walks on spheres, to compare others with.
 //   walk_truth FRUIT CUT FILE.json [POINTS [STANDARD_ERROR]]
 // FRUIT is a template, or "bench" for the seeded fruit (CUT is then "-"); CUT one of half, across, slanted.
 #include <algorithm>
@@ -38,7 +38,7 @@ Question question_of(const std::string& fruit, const std::string& cut_name) {
   throw Error(ExitStatus::usage, "there is no cut \"" + cut_name + "\"");
 }
 
-/// No more than `count`, evenly out of all.
+/// At most `count` points, evenly picked out of all.
 std::vector<glm::vec3> some_of(const std::vector<glm::vec3>& points, std::size_t count) {
   if (points.size() <= count) return points;
   std::vector<glm::vec3> some;

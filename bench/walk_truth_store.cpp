@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t points_at_once = 256;
 
-/// FNV-1a, to tell whether a kept piece still belongs to its question.
+/// FNV-1a, to tell whether a kept file still belongs to the same surfaces and points.
 class Fingerprint {
  public:
   template <typename Value>
@@ -48,7 +48,7 @@ Fingerprint fingerprint_of(const DiffusionSurfaces& surfaces, double standard_er
   return print;
 }
 
-/// What a file holds, if it answers this question.
+/// The content of a file, if it belongs to the same surfaces and points.
 std::optional<WalkTruth> kept(const std::filesystem::path& file, const std::string& fingerprint) {
   std::ifstream stream(file);
   const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);

@@ -1,4 +1,4 @@
-// The slow truth, kept on disk piece by piece, so that a run that was stopped goes on where it was.
+// The slow truth, kept on disk in small files, so that a stopped run continues where it was.
 #pragma once
 
 #include <filesystem>
@@ -15,18 +15,18 @@ namespace pomona::bench {
 struct WalkTruth {
   std::vector<Color> color;
   std::vector<double> standard_error;  ///< in parts of 255
-  double seconds = 0;                  ///< that walking took, earlier runs included
+  double seconds = 0;                  ///< time of all walks, including earlier runs
 };
 
 struct WalkTruthOptions {
-  std::filesystem::path folder;  ///< where pieces are kept; created if it is not there
+  std::filesystem::path folder;  ///< where the files are kept; created if missing
   double standard_error = 1;     ///< in parts of 255
   Threads threads;
   std::function<void(std::size_t done, std::size_t total)> progress;  ///< in points
 };
 
-/// Walks at a few hundred points at a time, and writes each such piece as a file of its own. A piece whose file
-/// belongs to the same surfaces, points and error is read instead.
+/// Walks at a few hundred points at a time, and writes a file for each such group. If a group's file belongs to the
+/// same surfaces, points and error, it is read instead.
 WalkTruth walk_truth(const DiffusionSurfaces& surfaces, std::span<const glm::vec3> points,
                      const WalkTruthOptions& options);
 

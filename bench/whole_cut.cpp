@@ -1,4 +1,4 @@
-// The whole cut, stage by stage: intersection, triangulation, diffusion, pieces; with the memory it takes.
+// The stages of a cut: intersection, triangulation, diffusion, pieces; and its memory.
 //   whole_cut [--json] [--runs N] [--triangles N] [--threads N] [NAME...]
 // Names are those of templates, and "bench" for the seeded fruit; none means all. Every fruit is measured in a
 // process of its own, so that its peak of memory is its own.
@@ -69,7 +69,7 @@ class StageTimes final : public CutObserver {
  public:
   void took(std::string_view stage, double milliseconds) override { times_[std::string(stage)] += milliseconds; }
 
-  /// What has been told since the last call.
+  /// The times since the last call.
   std::map<std::string, double> taken() { return std::exchange(times_, {}); }
 
  private:
@@ -101,7 +101,7 @@ Json measured(const Subject& subject, const bench::BenchCut& how, const Settings
   const Cut result = cut(subject.sheets, knives, options);
   time("cut", [&] { cut(subject.sheets, knives, options); });
 
-  // What comes after it.
+  // The stages after the cut.
   CrossSection section;
   for (const auto& [name, quality] : {std::pair("draft", Quality::draft), std::pair("final", Quality::final)}) {
     const auto diffuser = make_pmvc_diffuser({quality, settings.threads});
@@ -127,7 +127,7 @@ Json measured(const std::string& name, const Settings& settings) {
   return rows;
 }
 
-/// The same in a process of its own.
+/// The same, measured in a process of its own.
 Json measured_apart(const std::string& name, const Settings& settings) {
   return Json::parse(bench::in_own_process([&] { return measured(name, settings).dump(); }));
 }

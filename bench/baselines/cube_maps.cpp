@@ -53,7 +53,7 @@ void main() {
 }
 )";
 
-/// Faces side by side in one picture, points one above the other: as many as are drawn between two readings.
+/// Faces lie side by side in one picture, points one above the other: the number drawn between two readings.
 constexpr int points_at_once = 16;
 
 /// Right, up and forward of the six cameras, right-handed with the viewer: fronts stay fronts.
@@ -73,7 +73,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Around which cube maps are drawn, and the planes between which everything lies.
+/// The point around which a cube map is drawn, and the planes between which everything lies.
 struct View {
   std::size_t point = 0;
   glm::vec3 eye{0};  ///< the middle of the surfaces is 0
@@ -104,7 +104,7 @@ class CubeMaps {
     gl_.check("uploading surfaces");
   }
 
-  /// Sums of c / d and of 1 / d, times solid angles, over all directions: one for each of up to points_at_once views.
+  /// Sums of c / d and of 1 / d, times solid angles, over all directions, for each of up to points_at_once views.
   std::vector<glm::dvec4> sums(std::span<const View> views) const {
     draw(views);
     const std::size_t row = 6 * static_cast<std::size_t>(texels_);

@@ -1,5 +1,5 @@
 // The paper's own way to positive mean values: all triangles drawn into a cube map around every point [paper, section
-// 3.2]. A baseline to measure against, not to use.
+// 3.2]. A baseline for measurements, not for use.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct CubeMapColors {
   std::vector<Color> color;  ///< linear, one for each point
   double setup = 0;          ///< milliseconds: uploading, and what drivers do at the first draw
   double per_point = 0;      ///< milliseconds: drawing, reading back, adding up; times all points = the whole
-  std::string renderer;      ///< as OpenGL names it
+  std::string renderer;      ///< name of the renderer, from OpenGL
 };
 
 /// Draws and sums a cube map for each of `points` (metres); a few are enough to know what many would take. A point

@@ -94,7 +94,7 @@ double diagonal(const CGAL::Bbox_3& box) {
 }
 
 Polyhedron polyhedron_of(const Soup& soup, const std::vector<std::size_t>& chosen) {
-  // Take along only the points in use.
+  // Keep only the points in use.
   std::vector<Point> points;
   Polygons polygons;
   std::map<std::size_t, std::size_t> index;
@@ -128,7 +128,7 @@ Shells shells_of(const SurfaceMesh& mesh, const Soup& soup) {
   std::vector<std::vector<std::size_t>> members(count);
   for (std::size_t f = 0; f < component.size(); ++f) members[component[f]].push_back(f);
 
-  // The largest must hold the others.
+  // The largest component must enclose the others.
   std::vector<CGAL::Bbox_3> box(count);
   for (const Face f : mesh.faces()) box[component[f]] += processing::face_bbox(f, mesh);
   const auto outermost = static_cast<std::size_t>(
@@ -193,7 +193,7 @@ class Sizes {
         processing::connected_components(inner, boost::make_assoc_property_map(part_of_face)));
     for (const auto face : CGAL::faces(inner)) box[part_of_face.at(face)] += processing::face_bbox(face, inner);
 
-    // Twice as coarse for its size as the whole, but no finer than a twelfth of it.
+    // A small part gets cells twice as coarse for its size as the whole does, but no finer than a twelfth of it.
     const double share = std::max(2 * largest / whole, 1.0 / 12);
     for (const CGAL::Bbox_3& b : box) {
       const double size = share * diagonal(b);
@@ -222,7 +222,7 @@ class Sizes {
 };
 
 Complex refined(const Shells& shells, double cell_size) {
-  // Sharp: creases of a box, not the facets of a small seed.
+  // The angle of a sharp edge: creases of a box, not the facets of a small seed.
   constexpr double sharp_degrees = 75;
   CGAL::get_default_random() = CGAL::Random(0);
   std::vector<const Polyhedron*> inner;

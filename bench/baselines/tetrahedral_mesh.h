@@ -18,7 +18,7 @@ struct TetrahedralMesh {
 
   std::vector<glm::dvec3> position;  ///< metres
 
-  // One entry per tetrahedron; what is opposite corner i is entry i.
+  // One entry per tetrahedron; entry i of it is opposite corner i.
   std::vector<std::array<std::uint32_t, 4>> corner;
   std::vector<std::array<std::uint32_t, 4>> neighbor;  ///< `none` beyond the outer skin
   std::vector<std::array<bool, 4>> on_surface;         ///< whether that face is part of a diffusion surface
@@ -30,8 +30,8 @@ struct TetrahedralMeshing {
   std::string why_not;
 };
 
-/// Delaunay refinement [CGAL, Mesh_3] of what lies within the outermost surface; the same mesh every time.
-/// One closed surface must hold all others, and none may cross or touch another.
+/// Delaunay refinement [CGAL, Mesh_3] of the space inside the outermost surface; the same mesh every time. One closed
+/// surface must hold all others, and none may cross or touch another.
 /// \param cell_size metres: about the longest edge; surfaces are approximated within a twentieth of it.
 TetrahedralMeshing make_tetrahedral_mesh(const DiffusionSurfaces& surfaces, double cell_size);
 

@@ -74,7 +74,7 @@ Values values_of(const TetrahedralMesh& mesh) {
   return values;
 }
 
-/// Colours that surfaces give to values: sums, and of how many.
+/// Colours that surfaces give to values: their sums and numbers.
 struct Given {
   std::vector<glm::dvec3> sum;
   std::vector<double> count;
@@ -229,7 +229,7 @@ class Finder {
     std::array<double, 4> weight{};
   };
   std::optional<Place> find(const glm::dvec3& point) const {
-    // Rounding must not lose a point on a face: take the one that it is most inside.
+    // Rounding must not lose a point on a face: take the tetrahedron that it is farthest inside.
     constexpr double slack = 1e-9;
     std::optional<Place> best;
     double max = -slack;
@@ -295,7 +295,7 @@ struct TetrahedralPoisson::Solution {
         finder(mesh, tree.levels.back().front()),
         approximation(distance) {}
 
-  /// Equations, their solution, and what it took.
+  /// The equations, their solution, and its cost.
   void solve_for(PoissonCost& cost, std::string& why_not);
 
   Color color_at(const glm::dvec3& point) const;

@@ -15,13 +15,13 @@ struct PoissonOptions {
   double cell_size = 0.025;  ///< about the longest edge of a tetrahedron, in parts of the surfaces' size (diagonal)
 };
 
-/// What it takes, and how well the equations are met.
+/// The cost, and how well the equations are met.
 struct PoissonCost {
   std::size_t tetrahedra = 0;
-  std::size_t unknowns = 0;    ///< corners that no surface colours
+  std::size_t unknowns = 0;    ///< number of corners that no surface colours
   double meshing_seconds = 0;  ///< together with the next: the paper's precomputation
   double solving_seconds = 0;
-  std::size_t storage_bytes = 0;  ///< kept for any number of cuts: positions, corners, colours, neighbours
+  std::size_t storage_bytes = 0;  ///< memory kept for any number of cuts: positions, corners, colours, neighbours
   double residual = 0;            ///< largest over channels, relative to the right-hand side
   double overshoot = 0;           ///< how far colours leave the surfaces' hull; obtuse angles allow for a little
 };

@@ -97,7 +97,7 @@ TEST(Crossings, OfPiecesOfOneSurfaceAndOfAPieceWithItself) {
 }
 
 TEST(Crossings, AreSeenHoweverSlight) {
-  // A sheet at the topmost corner of a box: one step of a float below it, at it, and one step above it.
+  // A sheet at the topmost corner of a box: one step of a float below the corner, at it, and one step above.
   const DiffusionSurfaces box = shapes::tilted(shapes::box({0, 0, 0}, {1, 1, 1}));
   float top = 0;
   for (const glm::vec3& p : box.position) top = std::max(top, p.y);

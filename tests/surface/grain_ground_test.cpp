@@ -245,7 +245,7 @@ TEST(GrainLimits, SharesLeaveSomePlacesAndSomeFoldsEmpty) {
 }
 
 TEST(GrainSpacingRule, MayHoldWhateverTheyFace) {
-  // In a chamber 5 mm deep, 8 mm from the axis, grains on opposite walls come near each other.
+  // In a chamber only 8 mm wide grains on opposite walls come near each other.
   const std::vector<Curve> loops{circle_at({0, 0.03}, 0.004), circle_at({0, -0.03}, 0.004)};
   const Template thin = fruit({in_fold(circle_at({0.03, 0.04}, 0.004), loops)}, 2);
   const auto nearest = [](const std::vector<Dart>& darts) {
