@@ -15,6 +15,15 @@ vec3 room_at(vec3 way, vec3 to_light) {
   return mix(vec3(0.34, 0.31, 0.27), wall, smoothstep(-0.15, 0.25, way.y));
 }
 
+// A second window, high up over the table: what lies flat or leans towards the eye mirrors it. With two bars.
+float high_window(vec3 way, vec3 to_light) {
+  vec3 towards = normalize(0.5 * to_light + vec3(0.0, 1.0, 0.0));
+  vec3 right = normalize(cross(vec3(0.0, 0.0, 1.0), towards)), up = cross(towards, right);
+  vec2 at = vec2(dot(way, right), dot(way, up));
+  vec2 pane = smoothstep(-0.05, 0.05, vec2(0.20, 0.27) - abs(at)), bar = 1.0 - 0.5 * exp(-at * at / 0.0012);
+  return dot(way, towards) > 0.0 ? pane.x * pane.y * bar.x * bar.y : 0.0;
+}
+
 // Water's share of what is reflected at this cosine [Schlick 1994].
 float of_water(float cosine) {
   float c = 1.0 - clamp(cosine, 0.0, 1.0);
