@@ -1,14 +1,14 @@
 // Light as through a window, as photographs have it (WINDOW): lit.glsl and compose.frag.glsl ask it.
 uniform float juice;  // 0..1
 
-// Light goes to and fro between surfaces of one colour, and takes more of it each time: shade keeps its colour, and pale
-// things are hardly dark where they touch [Jimenez et al. 2016].
+// Light goes to and fro between surfaces of one colour, and takes more of it each time: shade keeps its colour, and
+// pale things are hardly dark where they touch [Jimenez et al. 2016].
 vec3 with_bounces(float seen, vec3 color) {
   vec3 a = 2.0404 * color - 0.3324, b = 0.6417 - 4.7951 * color, c = 2.7552 * color + 0.6903;
   return max(vec3(seen), ((seen * a + b) * seen + c) * seen);
 }
 
-// What a smooth surface reflects of the room: the window, brightest in its middle; a pale wall and a dark one; the table.
+// What a smooth surface reflects of the room: a pale wall where the window is, a dark one across, the table below.
 vec3 room_at(vec3 way, vec3 to_light) {
   float towards = 0.5 + 0.5 * dot(normalize(way.xz + 1e-5), normalize(to_light.xz + 1e-5));
   vec3 wall = mix(vec3(0.10, 0.09, 0.08), vec3(0.62, 0.66, 0.70), towards * towards);
