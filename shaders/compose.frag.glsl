@@ -141,15 +141,17 @@ vec3 beside_rim(vec3 n, Nearest nearest, vec2 at, Material m) {
 #ifdef WINDOW
 // A little juice on the table, next to what lies on it: it darkens the table, and mirrors the window at its edge.
 vec3 with_juice(vec3 table, float wetness, vec3 place, vec3 to_eye) {
-  float uneven = gradient_noise(place * 130.0, 451u) + 0.5 * gradient_noise(place * 390.0, 452u);
-  float depth = wetness + 0.28 * uneven - 0.33;
-  float wet = smoothstep(0.0, 0.06, depth);
+  float uneven = gradient_noise(place * 70.0, 451u) + 0.35 * gradient_noise(place * 190.0, 452u);
+  float depth = wetness + 0.25 * uneven - 0.2;
+  float wet = smoothstep(0.0, 0.09, depth);
   if (wet <= 0.0) return table;
   float edge = wet * (1.0 - smoothstep(0.05, 0.16, depth));
   vec3 n = normalize(vec3(0.0, 1.0, 0.0) + 0.5 * edge * vec3(to_light.x, 0.0, to_light.z));
   float pane = window(n, to_eye, 0.12);
-  vec3 gleam = of_water(dot(n, to_eye)) * (0.6 * room_at(reflect(-to_eye, n), to_light) + 8.0 * pane);
-  return mix(table, table * vec3(0.90, 0.885, 0.86) + gleam, juice * wet);
+  vec3 mirrored = reflect(-to_eye, n);
+  pane += edge * high_window(mirrored, to_light);
+  vec3 gleam = of_water(dot(n, to_eye)) * (0.6 * room_at(mirrored, to_light) + 12.0 * pane);
+  return mix(table, table * vec3(0.86, 0.83, 0.78) + gleam, juice * wet);
 }
 #endif
 
@@ -203,7 +205,8 @@ vec3 sample_color(Nearest nearest, vec2 at, vec2 size, ivec2 pixel, vec3 ground,
     float wetness = juice > 0.0 ? texelFetch(light, pixel, 0).w : 0.0;
     if (wetness > 0.0) {
       vec3 way = vec3((2.0 * at / size - 1.0) * tangent, -1.0) * distance_to;
-      color = with_juice(color, wetness, (camera_to_scene * vec4(way, 1.0)).xyz, normalize(mat3(camera_to_scene) * -way));
+      vec3 place = (camera_to_scene * vec4(way, 1.0)).xyz, to_eye = normalize(mat3(camera_to_scene) * -way);
+      color = with_juice(color, wetness, place, to_eye);
     }
 #endif
 #ifndef PAPER

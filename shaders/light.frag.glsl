@@ -41,13 +41,15 @@ const int shadow_finds = 16, shadow_looks = 32;
 uniform float juice_reach;  // metres
 
 // The share of a small circle around a place on the table above which something all but touches it.
-float juice_at(vec3 p, vec2 direction) {
+float juice_at(vec3 p) {
+  vec2 direction = vec2(1.0, 0.0);  // the same everywhere: what it gives is not smoothed
   vec2 here = (camera_to_table * vec4(p, 1.0)).xy;
   float near = 0.0;
-  const int count = 20;
+  const int count = 32;
   int i = 0;
   do {
-    float height = texture(lowest, here + table_reach.y * juice_reach / table_reach.x * spiral_radius(i, count) * direction).r;
+    vec2 aside = table_reach.y * juice_reach / table_reach.x * spiral_radius(i, count) * direction;
+    float height = texture(lowest, here + aside).r;
     near += 1.0 - smoothstep(0.0004, 0.0012, height * table_reach.x);
     direction = golden_angle * direction;
   } while (++i < count);
@@ -184,6 +186,6 @@ void main() {
   light = vec4(clamp(1.0 - strengths * (1.0 - seen), 0.0, 1.0), distance_to, 0.0);
 #ifdef WINDOW
   bool is_table = table_reach.x > 0.0 && instance_of(texelFetch(ids, at, 0).r) == 0u;
-  if (is_table && juice_reach > 0.0) light.w = juice_at(p, direction);
+  if (is_table && juice_reach > 0.0) light.w = juice_at(p);
 #endif
 }

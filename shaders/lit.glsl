@@ -45,7 +45,8 @@ vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
   float beyond = clamp((0.35 - towards) / 1.35, 0.0, 1.0);
   vec3 within = 1.15 * let_in(depth) * seen.arrives * beyond * mix(0.6, 1.0, seen.sky);
   vec3 direct = lit * (1.0 - 0.3 * let_in(depth) * seen.leaves) + within;
-  vec3 around = light_strengths.y * mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(vec3(0.1), vec3(1.0), with_bounces(seen.sky, color));
+  vec3 open_sky = mix(vec3(0.1), vec3(1.0), with_bounces(seen.sky, color));
+  vec3 around = light_strengths.y * mix(bounce, sky, 0.5 + 0.5 * n.y) * open_sky;
   vec3 received = around + light_strengths.x * sun * direct;
   float shade = clamp(1.0 - dot(received, vec3(0.33)), 0.0, 1.0);
   return pow(max(color, 1e-4), vec3(1.0 + 0.34 * shade)) * received;
@@ -125,13 +126,16 @@ vec3 wet_gleam(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint, S
   do {
     float cycles = k < 3 ? 75.0 : 260.0;
     float shown = 1.0 - smoothstep(0.2, 0.45, cycles * footprint);
-    if (shown > 0.0) slope[k % 3] += (k < 3 ? 0.24 : 0.11) * shown * gradient_noise(position * cycles + float(k % 3) * 17.3, 431u + uint(k));
+    float height = (k < 3 ? 0.24 : 0.11) * shown;
+    if (shown > 0.0) slope[k % 3] += height * gradient_noise(position * cycles + float(k % 3) * 17.3, 431u + uint(k));
   } while (++k < 6);
   vec3 m = normalize(n + slope);
   vec3 mirrored = reflect(-to_eye, m);
   float share = of_water(dot(m, to_eye)) * film * mix(0.6, 1.0, smoothstep(0.5, 2.2, wet));
   float pane = window(m, to_eye, 0.10) * mix(0.1, 1.0, seen.sun);
-  return share * (room_at(mirrored, to_light) * mix(0.25, 1.0, seen.sky) + 20.0 * light_strengths.x * pane * vec3(1.0, 0.98, 0.95));
+  pane += 0.45 * high_window(mirrored, to_light) * seen.sky * seen.sky;
+  vec3 bright = 20.0 * light_strengths.x * pane * vec3(1.0, 0.98, 0.95);
+  return share * (room_at(mirrored, to_light) * mix(0.25, 1.0, seen.sky) + bright);
 }
 #endif
 

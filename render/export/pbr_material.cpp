@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "generator/base/reproducible.h"
@@ -56,13 +57,28 @@ PbrMaterial look_of(const MaterialSketch& material, bool on_cut_face) {
 
 namespace {
 
+std::string name_of_part(const Solid& solid, std::int32_t part) {
+  const auto number = static_cast<std::size_t>(part);
+  return part >= 0 && number < solid.look->part_names.size() ? solid.look->part_names[number] : std::string();
+}
+
 /// The look of one of a solid's parts.
 PbrMaterial look_of_part(const Solid& solid, std::int32_t part, bool on_cut_face, LightInside light) {
   const MaterialSketch material = material_of(solid, part);
-  PbrMaterial look = solid.look->materials.empty() ? PbrMaterial{} : look_of(material, on_cut_face);
-  const auto number = static_cast<std::size_t>(part);
-  if (light == LightInside::told && part >= 0 && number < solid.look->part_names.size())
-    look.inside = tissue_light(material, solid.look->part_names[number]);
+  PbrMaterial look = look_of(material, on_cut_face);
+  if (light == LightInside::told) look.inside = tissue_light(material, name_of_part(solid, part));
+  return look;
+}
+
+/// The one look of a solid whose template has no materials: inside, it is what most of its triangles are.
+PbrMaterial look_of_all(const Solid& solid, const StyledMesh& mesh, LightInside light) {
+  PbrMaterial look;
+  if (light == LightInside::left_out) return look;
+  std::map<std::int32_t, std::size_t> triangles;
+  for (const glm::uvec3& t : mesh.triangle) ++triangles[mesh.part[t.x]];
+  const auto most = std::max_element(triangles.begin(), triangles.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most != triangles.end()) look.inside = tissue_light({}, name_of_part(solid, most->first));
   return look;
 }
 
@@ -121,7 +137,8 @@ std::vector<std::pair<PbrMaterial, std::string>> named_materials(const Solid& so
 }  // namespace
 
 std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh, LightInside light) {
-  const bool is_one = solid.look->materials.empty() && light == LightInside::left_out;
+  const bool is_one = solid.look->materials.empty();
+  const PbrMaterial of_all = look_of_all(solid, mesh, light);
   const auto names = is_one ? std::vector<std::pair<PbrMaterial, std::string>>{} : named_materials(solid, light);
   const auto name_of_material = [&](const PbrMaterial& look) {
     const auto at = std::find_if(names.begin(), names.end(), [&](const auto& named) { return named.first == look; });
@@ -129,7 +146,8 @@ std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMe
   };
   std::vector<MaterialGroup> groups;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-    const PbrMaterial look = look_of_part(solid, mesh.part[mesh.triangle[t].x], mesh.cut_face[t] >= 0, light);
+    const PbrMaterial look =
+        is_one ? of_all : look_of_part(solid, mesh.part[mesh.triangle[t].x], mesh.cut_face[t] >= 0, light);
     auto group =
         std::find_if(groups.begin(), groups.end(), [&](const MaterialGroup& known) { return known.look == look; });
     if (group == groups.end()) group = groups.insert(groups.end(), MaterialGroup{look, name_of_material(look), {}, {}});

@@ -33,8 +33,7 @@ struct PbrMaterial {
 PbrMaterial look_of(const MaterialSketch& material, bool on_cut_face);
 
 /// The triangles of a mesh with one material. Groups are in the order in which their materials first occur. There is
-/// one group if the solid's template has no materials, or, where PbrMaterial::inside is told, one for each kind of
-/// tissue.
+/// one group if the solid's template has no materials.
 struct MaterialGroup {
   PbrMaterial look;
   std::string name;                  ///< name of the part: "skin", "gel", "inside"; empty if all parts have this

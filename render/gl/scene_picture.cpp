@@ -22,7 +22,7 @@ namespace pomona {
 
 namespace {
 
-constexpr float juice_reach = 0.006f;  // metres: how far juice runs from what lies on the table
+constexpr float juice_reach = 0.009f;  // metres: how far juice runs from what lies on the table
 constexpr double juicy = 1.2;          // how wet a part's cut faces are, from which on juice runs out of them
 constexpr int shadow_side = 2048, table_side = 1024;  // samples of the maps each way
 

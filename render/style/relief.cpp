@@ -79,7 +79,8 @@ Relief relief_over_texel(const Look& look, const Color& unmodulated, const LookP
   const double to_right = (b.height - a.height + d.height - c.height) / (4 * half);
   const double to_up = (c.height - a.height + d.height - b.height) / (4 * half);
   const glm::dvec3 slope = to_right * along.first + to_up * along.second;
-  return {(a.height + b.height + c.height + d.height) / 4, slope / (1 + std::sqrt(glm::dot(slope, slope)) / max_slope),
+  return {(a.height + b.height + c.height + d.height) / 4,
+          slope / std::sqrt(1 + glm::dot(slope, slope) / (max_slope * max_slope)),
           open_at((a.below + b.below + c.below + d.below) / 4)};
 }
 

@@ -17,7 +17,8 @@ constexpr std::pair<std::string_view, Tissue> usual[] = {
     {"calyx", Tissue::leaf},    {"leaf", Tissue::leaf},   {"crown", Tissue::leaf},     {"root", Tissue::leaf},
     {"seed", Tissue::seed},     {"achene", Tissue::seed}, {"stone", Tissue::seed},     {"coat", Tissue::seed},
     {"kernel", Tissue::seed},   {"shell", Tissue::shell}, {"ground", Tissue::mineral}, {"lava", Tissue::mineral},
-    {"magma", Tissue::mineral}, {"ash", Tissue::mineral}, {"strata", Tissue::mineral}};
+    {"magma", Tissue::mineral}, {"ash", Tissue::mineral}, {"strata", Tissue::mineral}, {"dish", Tissue::mineral},
+    {"bowl", Tissue::mineral}};
 
 /// Ways in millimetres. Flesh and pith are the apple and the potato of Jensen et al. 2001 ("A practical model for
 /// subsurface light transport", figure 5): 1 / sqrt(3 sigma_a (sigma_a + sigma_s')). The others are estimates by eye,

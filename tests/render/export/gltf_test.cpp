@@ -422,8 +422,8 @@ TEST(Gltf, TellsLightUnderTheSurfaceBesideTexturesAlone) {
       parsed(write_glb(scene, std::vector{baked(scene.solids[0], style_named("plain"), {.texels = 64})}));
   Json inside;
   for (const Json& material : textured["materials"]) {
-    const Json& told = material["extras"]["subsurface"];
-    if (told["weight"] == 0.7) inside = told;
+    const Json told = material.value("extras", Json::object()).value("subsurface", Json::object());
+    if (told.value("weight", 0.0) == 0.7) inside = told;
   }
   ASSERT_TRUE(inside.is_object());
   EXPECT_NEAR(inside["radius"][0].get<double>(), 0.004, 1e-9);
