@@ -32,7 +32,7 @@ test: ## all tests that need nothing but Debian's libraries
 python: ## the Python module, as a wheel in build/python; docs/guides/python.md
 	@scripts/setup.sh build python
 	@cmake --preset python >build-python.log 2>&1 || { cat build-python.log; exit 1; }; rm -f build-python.log
-	@cmake --build build-python --target pomona wheel pages -j $(JOBS)
+	@cmake --build build-python --target pomona wheel pages pomona_archive -j $(JOBS)
 
 test-python: python ## the module's tests, on the wheel as it is installed; FULL=1 compares the bytes of every fruit, format and knife, too
 	@scripts/setup.sh test-python
@@ -227,7 +227,6 @@ gallery-page: build ## a gallery for the web: out/gallery/index.html, and a page
 	@scripts/gallery_page.py build/pomona out/gallery
 
 install: python ## program, templates, scenes, manual page, completions, library, Python module: PREFIX=/usr/local DESTDIR=
-	@cmake --build build-python --target pomona_archive -j $(JOBS)
 	@DESTDIR="$(DESTDIR)" cmake --install build-python --prefix "$(or $(PREFIX),/usr/local)" >build-python/install.log || { cat build-python/install.log; exit 1; }
 	@echo "installed into $(DESTDIR)$(or $(PREFIX),/usr/local)"
 

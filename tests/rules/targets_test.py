@@ -39,7 +39,8 @@ class Targets(unittest.TestCase):
             for target in targets():
                 for command in commands_of(target, folder):
                     if preset := re.search(r"cmake --preset ([\w-]+)", command):
-                        if preset.group(1) == "clang" and not shutil.which("clang++"):
+                        needed = {"clang": "clang++", "python": "pybind11-config"}.get(preset.group(1))
+                        if needed and not shutil.which(needed):
                             continue
                         if preset.group(1) != configured:
                             self.run_in(folder, target, "cmake", "--preset", preset.group(1))
