@@ -4,5 +4,5 @@ include(CMakeFindDependencyMacro)
 find_dependency(glm)
 find_dependency(PkgConfig)
 pkg_check_modules(POMONA_NEEDS REQUIRED IMPORTED_TARGET
-  tbb sleef nettle libhwy gmp mpfr tinygltf tomlplusplus pugixml 2geom libpng zlib openmesh OpenEXR
+  tbb sleef nettle libhwy gmp mpfr tinygltf tomlplusplus pugixml 2geom libpng zlib OpenEXR
   libmurmurhash)
