@@ -38,6 +38,15 @@ def volume_of(placed):
     return sum(dot(t[0][0], cross(t[1][0], t[2][0])) for t in placed.triangles) / 6
 
 
+def centre_of(placed):
+    """Of its volume."""
+    sums = [0.0, 0.0, 0.0]
+    for (a, *_), (b, *_), (c, *_) in placed.triangles:
+        part = dot(a, cross(b, c)) / 24
+        sums = [s + part * (a[k] + b[k] + c[k]) for k, s in enumerate(sums)]
+    return times(sums, 1 / volume_of(placed))
+
+
 class Exporters(Program):
     def assert_box(self, placed, pose, about, *, textured=False, smooth=True):
         """That these triangles are the box in this pose."""
@@ -194,6 +203,9 @@ class Exporters(Program):
             self.assertGreater(length(sub(shift[0], shift[1])), 0.002, kind)
             apart = apart or low
             self.assertLess(furthest(low, apart), 1e-6, kind)
+            middles = [[centre_of(placed) for placed in pieces] for pieces in (there, moved)]
+            for k in range(3):
+                self.assertAlmostEqual(*(sum(middle[k] for middle in both) / 2 for both in middles), 6, "the middle of all stays")
             for a, b in zip(there, moved):
                 self.assertAlmostEqual(volume_of(a) * 2 / VOLUME, 1, 3, kind)
                 if a.parts:

@@ -42,7 +42,7 @@ def box_at(turn, middle):
 
 # Two fruit in halves beside each other; a box before one of them, one farther away behind that, and one behind another half.
 EYE, BOX, TIPPED = (0.02, 0.11, 0.3), (-0.012, 0.012, 0.05), unit((0.8, 0.1, 0.5, -0.2))
-POSES = [(unit((0.8, 0.6, 0, 0)), (-0.032, 0.012, -0.01)), (unit((0.9, 0.1, 0.4, 0)), (0.012, 0.0, -0.02)),
+POSES = [(unit((1, -0.1, 0.1, 0)), (-0.032, 0.005, -0.01)), (unit((0.1, 0, 1, -0.1)), (0.014, 0.0, -0.02)),
          (unit((0.6, 0, 0.8, 0)), (0.034, -0.01, -0.02)), (unit((0.8, 0.3, 0, -0.6)), (0.02, 0.0, 0.02)), box_at(TIPPED, BOX),
          box_at(TIPPED, add(EYE, times(sub(BOX, EYE), 1.3))), box_at(unit((0.5, 0.5, -0.5, 0.5)), (0.022, 0.012, -0.05))]
 
@@ -181,6 +181,7 @@ class Truth(Program):
             count["section"] += (self.layer["section"].at(*p) == 65535) != cut[near[1]][which]
             count["part"] += part_name[self.layer["part"].at(*p)] != placed[near[1]].parts[which]
         self.assertGreater(inside, 1500)
+        self.assertGreater(sum(self.layer["section"].at(*p) > 0 for p in self.pixels), 150, "cut faces are seen")
         # Where two meshes or two triangles meet at a pixel's middle, either may be shown.
         for what, wrong in count.items():
             self.assertLessEqual(wrong, {"part": 0.03, "normal": 0.02}.get(what, 0.01) * inside, (what, count, inside))
