@@ -141,7 +141,7 @@ variants: .bench ## a thousand variants of every template: out/variants.md and .
 	@mkdir -p out
 	build/bench/variants --out out/variants.md --json out/variants.json
 
-unseen: .bench build ## 200 seeds of every template that nobody has chosen, halved and cut across: out/unseen.md, .json and a sheet of the worst, .png; FRUIT="lemon fig" SEEDS=101-140; stop it and it goes on later
+unseen: build .bench ## 200 seeds of every template that nobody has chosen, halved and cut across: out/unseen.md, .json and a sheet of the worst, .png; FRUIT="lemon fig" SEEDS=101-140; stop it and it goes on later
 	cmake --build build --target unseen -j $(JOBS)
 	@mkdir -p out
 	-build/bench/unseen $(FRUIT) --seeds $(or $(SEEDS),1-200) --out out/unseen.md --json out/unseen.json --worst out/unseen_worst.json

@@ -45,17 +45,21 @@ std::string loop_through(const std::vector<glm::dvec2>& points) {
   return d + " Z";
 }
 
+/// Where the first fold line lies, as a share of a fold: `half`, at 0 and 180 degrees, passes through chambers.
+double first_line(int folds) { return folds == 1 ? 0.4 : 0.25; }
+
 /// Lobes between grooves at the fold lines, or one roundish loop.
 std::string outline(double radius, int folds) {
   std::vector<glm::dvec2> points;
   const int lobes = std::max(folds, 1);
+  const double first = folds > 0 ? first_line(folds) : 0;
   const int steps = std::max(4, 12 / lobes);
   for (int k = 0; k < lobes; ++k) {
     for (int i = 0; i < steps; ++i) {
       const double share = static_cast<double>(i) / steps;
       const double bulge = folds > 0 ? 4 * share * (1 - share) : uneven[static_cast<std::size_t>(i) % 7];
       const double fullness = folds > 0 ? 0.6 + 0.4 * uneven[static_cast<std::size_t>(k) % 7] : 0.8;
-      points.push_back(around_top(radius * (0.94 + 0.07 * bulge * fullness), 2 * pi * (k + share) / lobes));
+      points.push_back(around_top(radius * (0.94 + 0.07 * bulge * fullness), 2 * pi * (k + first + share) / lobes));
     }
   }
   return loop_through(points);
@@ -63,7 +67,7 @@ std::string outline(double radius, int folds) {
 
 /// The chamber of fold k.
 std::string chamber(int k, int folds) {
-  const double middle = 2 * pi * (k + 0.5) / folds;
+  const double middle = 2 * pi * (k + first_line(folds) + 0.5) / folds;
   const double half = std::min(0.36 * 2 * pi / folds, 1.0);
   const double fullness = uneven[static_cast<std::size_t>(k) % 7];
   const double inner = 13 + fullness, outer = 30 - 2.5 * fullness;
@@ -141,7 +145,7 @@ std::string top_view(const StartingSketchOptions& options) {
   text += guide("top-scale", "scale 60mm", top_axis + glm::dvec2(-40, 50), top_axis + glm::dvec2(40, 50));
   for (int k = 0; k < folds; ++k) {
     const std::string name = std::to_string(k + 1);
-    text += guide("fold-" + name, "fold " + name, top_axis, around_top(46, 2 * pi * k / folds));
+    text += guide("fold-" + name, "fold " + name, top_axis, around_top(46, 2 * pi * (k + first_line(folds)) / folds));
   }
 
   // Loops around the axis, then the chambers in a group of their own.

@@ -489,6 +489,8 @@ class SurfaceReader {
 
   /// Where they are wanted first, then to floats: the other way round what lies far away would lose its shape.
   void round_positions() {
+    if (surfaces_.triangle.empty())
+      ply_.fail_at(faces_ ? faces_->byte : strips_->byte, "the file has no faces of three corners or more");
     for (std::size_t v = 0; v < exact_.size(); ++v) {
       if (placing_.moves()) exact_[v] = placing_(exact_[v]);
       surfaces_.position[v] = glm::vec3(exact_[v]);
@@ -506,7 +508,6 @@ class SurfaceReader {
     for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i) {
       if (hides_both_sides(i)) ply_.fail_at(byte, both_hidden, show_one);
     }
-    if (surfaces_.triangle.empty()) ply_.fail_at(byte, "the file has no faces");
     if (glm::length(bounds_of(surfaces_).size()) < smallest) {
       ply_.fail_at(vertices_->byte, "the surfaces have no size", "positions are in metres");
     }
