@@ -15,8 +15,8 @@ namespace pomona {
 /// The ripeness, 0..2, of a point on a fruit of this ripeness: see RipenessSketch. `lateness` is clamped to 0..1.
 double own_ripeness(double ripeness, double lateness, double spread);
 
-/// The mean drawn colours of the parts of tissues, OKLab, by part: on swept surfaces, or on grains where these have none.
-/// Others are black.
+/// The mean drawn colours of the parts of tissues, OKLab, by part: on swept surfaces, or on grains where these have
+/// none. Others are black.
 std::vector<glm::dvec3> tissue_colors(const DiffusionSurfaces& swept, const DiffusionSurfaces& grains,
                                       const Template& fruit);
 

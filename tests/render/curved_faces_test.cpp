@@ -75,13 +75,11 @@ std::vector<float> sunk_lines(const std::vector<Solid>& pieces) {
   return opacity;
 }
 
-TEST(FlatFaces, HaveFainterRimsWhereABodyIsSunkInAnother) {
+/// Bodies that overlap are one body, so that the outline of a sunk one is a line between colours like any other.
+TEST(FlatFaces, HaveALineAroundWhatIsSunkInThemOnlyWhereColorsDiffer) {
   const std::vector<float> contrasting = sunk_lines(halves_of_ball_with_knob(Color(0.2f, 0.1f, 0.05f)));
   EXPECT_GT(contrasting.size(), 40u);
-  for (const float opacity : contrasting) {
-    EXPECT_GT(opacity, 0.5f);
-    EXPECT_LT(opacity, 0.8f);
-  }
+  for (const float opacity : contrasting) EXPECT_GT(opacity, 0.5f);
   for (const float opacity : sunk_lines(halves_of_ball_with_knob(shapes::skin_paint().back))) EXPECT_LT(opacity, 0.1f);
 }
 

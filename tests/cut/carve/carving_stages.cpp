@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -13,6 +14,7 @@
 #include "generator/cut/carve/labels.h"
 #include "generator/cut/cut.h"
 #include "generator/cut/cut_observer.h"
+#include "generator/cut/unite/united_bodies.h"
 #include "generator/knife/closed_knives.h"
 #include "generator/knife/knife_mesh.h"
 #include "generator/knife/parse_knife.h"
@@ -87,6 +89,12 @@ ClosedSurface together(ClosedSurface first, const ClosedSurface& second) {
   return first;
 }
 
+/// As a cut does before anything is carved.
+DiffusionSurfaces without_overlaps(DiffusionSurfaces surfaces) {
+  std::optional<UnitedBodies> united = united_bodies(surfaces, find_bodies(surfaces));
+  return united ? std::move(united->surfaces) : std::move(surfaces);
+}
+
 }  // namespace
 
 Color front_color_at(const glm::dvec3& place) {
@@ -123,7 +131,7 @@ std::vector<CarvingCase> carving_cases() {
        {},
        block({0.0078125, -0.015625, -0.0234375}, {0.03125, 0.015625, 0.015625})},
   };
-  for (CarvingCase& of : all) of.surfaces = colored(std::move(of.surfaces));
+  for (CarvingCase& of : all) of.surfaces = without_overlaps(colored(std::move(of.surfaces)));
   return all;
 }
 

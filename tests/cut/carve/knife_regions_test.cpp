@@ -60,7 +60,7 @@ TEST(KnifeRegions, AreWhatWindsAroundTheMiddlesOfTheirTriangles) {
       for (const Filling& filling : wanted) area[filling] += area_of(stages.face, t);
     }
   }
-  EXPECT_GT(area.size(), 5u) << "cells and bodies of several kinds";
+  EXPECT_GE(area.size(), 5u) << "cells and bodies of several kinds";
 }
 
 TEST(KnifeRegions, CloseEachCellOnceInOrder) {

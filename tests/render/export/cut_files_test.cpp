@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -11,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/unite/united_bodies.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/grow.h"
@@ -182,7 +184,9 @@ TEST(CutFiles, APeppersHollowStaysHollow) {
   how.detail = 0.4;
   const Sample sample{grow(pepper, {}, how).sheets, pepper};
   double solid = 0, hollow = 0;
-  for (const Bodies::Body& body : find_bodies(sample.surfaces).bodies) solid += body.volume;
+  const std::optional<UnitedBodies> united = united_bodies(sample.surfaces, find_bodies(sample.surfaces));
+  ASSERT_TRUE(united) << "the stem stands in the flesh";
+  for (const Bodies::Body& body : find_bodies(united->surfaces).bodies) solid += body.volume;
   for (const Shell& shell : measured_shells(sample.surfaces, find_shells(sample.surfaces))) {
     if (shell.closed && shell.volume < 0) hollow -= shell.volume;
   }

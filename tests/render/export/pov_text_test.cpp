@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/base/number_text.h"
 #include "render/export/pov_text.h"
 
 namespace pomona::pov {
