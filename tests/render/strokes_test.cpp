@@ -327,8 +327,8 @@ Scene halves_of(const std::string& name) {
 
 class StrokesOfFruit : public ::testing::TestWithParam<std::string> {};
 
-/// Limits wider than those of balls: a real rim has hundreds of corners, and an onion has roots whose outlines end where
-/// they enter the skin.
+/// Limits wider than those of balls: a real rim has hundreds of corners, and an onion has roots whose outlines end
+/// where they enter the skin.
 TEST_P(StrokesOfFruit, DoNotFlickerWhenTheCameraMoves) {
   const Scene scene = halves_of(GetParam());
   const StrokeOptions options{.width = 400, .height = 300};
