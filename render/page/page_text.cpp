@@ -43,7 +43,7 @@ std::string code_of(std::string_view text) {
 /// Files that shaders include: the page's own, and those of pictures, so that noise, detail and light are the same.
 ordered_json shaders() {
   ordered_json all;
-  for (const char* name : {"color.glsl", "noise.glsl", "detail.glsl", "material.glsl", "lit.glsl"})
+  for (const char* name : {"color.glsl", "noise.glsl", "detail.glsl", "material.glsl", "window.glsl", "lit.glsl"})
     all[name] = code_of(text_of(embedded_shaders(), name));
   for (const char* name : {"look.glsl", "section.glsl", "skin.glsl", "ground.glsl", "cut_away.glsl"})
     all[name] = code_of(text_of(page_files(), name));
