@@ -40,13 +40,23 @@ std::string code_of(std::string_view text) {
   return code;
 }
 
-/// Files that shaders include: the page's own, and those of pictures, so that noise, detail and light are the same.
+/// Adds a shader of the page, or one of pictures, with all that it includes: so noise, detail and light are the same.
+void add_shader(ordered_json& all, const std::string& name) {
+  if (all.contains(name)) return;
+  const bool own = std::ranges::any_of(page_files(), [&](const EmbeddedFile& file) { return file.name == name; });
+  const std::string code = code_of(text_of(own ? page_files() : embedded_shaders(), name));
+  all[name] = code;
+  constexpr std::string_view include = "#include \"";
+  for (std::size_t at = code.find(include); at != std::string::npos; at = code.find(include, at)) {
+    at += include.size();
+    add_shader(all, code.substr(at, code.find('"', at) - at));
+  }
+}
+
 ordered_json shaders() {
   ordered_json all;
-  for (const char* name : {"color.glsl", "noise.glsl", "detail.glsl", "material.glsl", "window.glsl", "lit.glsl"})
-    all[name] = code_of(text_of(embedded_shaders(), name));
   for (const char* name : {"look.glsl", "section.glsl", "skin.glsl", "ground.glsl", "cut_away.glsl"})
-    all[name] = code_of(text_of(page_files(), name));
+    add_shader(all, name);
   return all;
 }
 
