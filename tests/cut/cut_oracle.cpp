@@ -5,15 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "generator/cut/cut_observer.h"
-#include "generator/cut/unite/united_bodies.h"
 #include "generator/surface/skin_depth.h"
 #include "tests/cut/solid_shapes.h"
+#include "tests/cut/without_overlaps.h"
 
 namespace pomona::oracle {
 
@@ -122,15 +121,6 @@ class Witness final : public CutObserver {
  private:
   const Bodies& bodies_;
 };
-
-}  // namespace
-
-namespace {
-
-DiffusionSurfaces without_overlaps(const DiffusionSurfaces& surfaces) {
-  std::optional<UnitedBodies> united = united_bodies(surfaces, find_bodies(surfaces));
-  return united ? std::move(united->surfaces) : surfaces;
-}
 
 }  // namespace
 

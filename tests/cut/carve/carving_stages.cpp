@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -14,13 +13,13 @@
 #include "generator/cut/carve/labels.h"
 #include "generator/cut/cut.h"
 #include "generator/cut/cut_observer.h"
-#include "generator/cut/unite/united_bodies.h"
 #include "generator/knife/closed_knives.h"
 #include "generator/knife/knife_mesh.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/mesh/weld.h"
 #include "tests/cut/carve/arranged_shapes.h"
 #include "tests/cut/solid_shapes.h"
+#include "tests/cut/without_overlaps.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona::shapes {
@@ -87,12 +86,6 @@ ClosedSurface together(ClosedSurface first, const ClosedSurface& second) {
   first.point.insert(first.point.end(), second.point.begin(), second.point.end());
   for (const glm::uvec3& t : second.triangle) first.triangle.push_back(t + offset);
   return first;
-}
-
-/// As a cut does before anything is carved.
-DiffusionSurfaces without_overlaps(DiffusionSurfaces surfaces) {
-  std::optional<UnitedBodies> united = united_bodies(surfaces, find_bodies(surfaces));
-  return united ? std::move(united->surfaces) : std::move(surfaces);
 }
 
 }  // namespace
