@@ -76,7 +76,7 @@ class Names(unittest.TestCase):
             self.pomona("cut", SOURCE / "templates/cherry.toml", *QUICK, "--texture", "64", "-o", name + ".usda")
             text = (self.path / f"{name}.usda").read_text()
             # A path ends at the first sign like that at its beginning, unless a backslash stands before it.
-            found = re.findall(r"inputs:file = (@@@((?:\\@@@|(?!@@@).)*)@@@|@([^@]*)@)", text, re.M)
+            found = re.findall(r'inputs:file = (@@@((?:\\@@@|(?!@@@).)*)@@@|@([^@]*)@)(?: \(colorSpace = "\w+"\))?$', text, re.M)
             self.assertEqual(len(found), text.count("inputs:file"), name)
             for _, long, short in found:
                 self.assertTrue((self.path / (long or short).replace("\\@@@", "@@@")).is_file(), (name, long, short))
