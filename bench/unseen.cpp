@@ -123,18 +123,18 @@ Json measured_row(const UnseenFruit& fruit, const std::string& name, int seed) {
   return row_of(name, seed, fruit.facts(seed));
 }
 
+/// Rows by fruit and seed.
+using KnownRows = std::map<std::pair<std::string, int>, Json>;
+
 /// All rows of one template, those in `known` as they are.
 std::vector<Json> rows_of(const std::string& name, const UnseenFruit& fruit, const SeedRange& range,
-                          const std::vector<Json>& known, Threads threads) {
+                          const KnownRows& known, Threads threads) {
   std::vector<int> seeds{0};
   for (int seed = range.first; seed <= range.last; ++seed) seeds.push_back(seed);
   std::vector<Json> rows(seeds.size());
   parallel_for(seeds.size(), threads, [&](std::size_t i) {
-    const auto same = [&](const Json& row) {
-      return row["fruit"].get<std::string>() == name && row["seed"].get<int>() == seeds[i];
-    };
-    const auto found = std::find_if(known.begin(), known.end(), same);
-    rows[i] = found != known.end() ? *found : measured_row(fruit, name, seeds[i]);
+    const auto found = known.find({name, seeds[i]});
+    rows[i] = found != known.end() ? found->second : measured_row(fruit, name, seeds[i]);
   });
   return rows;
 }
@@ -228,7 +228,9 @@ Json worst_fruits(const std::vector<Fruit>& fruits) {
 }
 
 int make_report(const Options& options) {
-  std::vector<Json> known = earlier_rows(options.json);
+  KnownRows known;
+  const auto keep = [&](const Json& row) { known.insert_or_assign({row["fruit"], row["seed"]}, row); };
+  for (const Json& row : earlier_rows(options.json)) keep(row);
   std::vector<Fruit> fruits;
   Progress progress(false);
   const std::vector<std::string> names = fruit_names(options.fruits);
@@ -238,14 +240,10 @@ int make_report(const Options& options) {
     const UnseenFruit unseen(fruit);
     fruits.push_back(
         {names[i], unseen.inner_parts(), rows_of(names[i], unseen, range_of(options.seeds), known, {options.threads})});
-    std::erase_if(known, [&](const Json& row) {
-      const auto same = [&](const Json& fresh) {
-        return fresh["seed"] == row["seed"] && fresh["fruit"] == row["fruit"];
-      };
-      return std::any_of(fruits.back().rows.begin(), fruits.back().rows.end(), same);
-    });
-    known.insert(known.end(), fruits.back().rows.begin(), fruits.back().rows.end());
-    if (!options.json.empty()) write_whole(options.json, Json(known).dump() + "\n");
+    for (const Json& row : fruits.back().rows) keep(row);
+    Json all = Json::array();
+    for (const auto& [key, row] : known) all.push_back(row);
+    if (!options.json.empty()) write_whole(options.json, all.dump() + "\n");
     progress.report("fruits", i + 1, names.size());
   }
   const int fallen = fallen_out(fruits);
