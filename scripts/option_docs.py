@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes what documents and schemas say of an order's options from the program's own table.
 
-    option_docs.py write PROGRAM     makes the table of docs and the keys of scenes/batch.schema.json anew
+    option_docs.py write PROGRAM     makes the table of docs and the keys of the schemas in scenes/ anew
     option_docs.py check PROGRAM     status 1, and the names of the files, where they are not as it would write them
 """
 
@@ -12,7 +12,8 @@ import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 DOCUMENT = SOURCE / "docs/reference/commands.md"
-SCHEMA = SOURCE / "scenes/batch.schema.json"
+BATCH_SCHEMA = SOURCE / "scenes/batch.schema.json"
+SCENE_SCHEMA = SOURCE / "scenes/scene.schema.json"
 BEGIN, END = "<!-- options: scripts/option_docs.py writes this -->", "<!-- end of the options -->"
 
 
@@ -57,7 +58,8 @@ def schema_of(option):
         schema = {"enum": option["words"]}
     elif option["type"] in ("whole", "number"):
         number = {"type": "integer" if option["type"] == "whole" else "number", "minimum": option["low"], "maximum": option["high"]}
-        schema = {"anyOf": [{"const": 0}, number]} if option["type"] == "whole" and option["low"] > 0 else number
+        can_be_off = option["batch_key"] and option["type"] == "whole" and option["low"] > 0
+        schema = {"anyOf": [{"const": 0}, number]} if can_be_off else number
     else:
         schema = dict(kinds[option["type"]])
         if option["key"] == "ripeness_variants":
@@ -76,12 +78,34 @@ def with_keys(schema, options):
     return schema
 
 
+# Keys of a scene's [[pieces]] that are options: the key, the option, and whether [lowest, highest] may stand for a number.
+SCENE_KEYS = [("folds", "folds", False), ("variation", "variation", False), ("detail", "detail", False),
+              ("size", "scale", True), ("ripeness", "ripeness", True), ("browning", "browning", True)]
+
+
+def with_scene_keys(schema, options):
+    """Keys of entries that are options, as the table has them."""
+    wanted = {option for _, option, _ in SCENE_KEYS}
+    of_options = {option["key"]: schema_of(option) for option in options if option["key"] in wanted}
+    entry = schema["properties"]["pieces"]["items"]["properties"]
+    for key, option, ranged in SCENE_KEYS:
+        entry[key] = {**of_options[option]}
+        description = entry[key].pop("description")
+        if ranged:
+            ends = {"type": "array", "items": entry[key], "minItems": 2, "maxItems": 2}
+            entry[key] = {"anyOf": [entry[key], ends]}
+            description += "; or [lowest, highest], random for each variant"
+        entry[key]["description"] = description
+    return schema
+
+
 def main():
     verb, program = sys.argv[1:]
     options = json.loads(subprocess.run([program, "pages", "options"], check=True, capture_output=True, text=True).stdout)
     wanted = {
         DOCUMENT: with_table(DOCUMENT.read_text(), options),
-        SCHEMA: json.dumps(with_keys(json.loads(SCHEMA.read_text()), options), indent=1) + "\n",
+        BATCH_SCHEMA: json.dumps(with_keys(json.loads(BATCH_SCHEMA.read_text()), options), indent=1) + "\n",
+        SCENE_SCHEMA: json.dumps(with_scene_keys(json.loads(SCENE_SCHEMA.read_text()), options), indent=1) + "\n",
     }
     stale = [path for path, text in wanted.items() if path.read_text() != text]
     for path in stale:
