@@ -31,13 +31,13 @@ test: ## all tests that need nothing but Debian's libraries
 
 python: ## the Python module, as a wheel in build/python; docs/guides/python.md
 	@scripts/setup.sh build python
-	@cmake --preset python >build-python.log 2>&1 || { cat build-python.log; exit 1; }; rm -f build-python.log
-	@cmake --build build-python --target pomona wheel pages pomona_archive -j $(JOBS)
+	@cmake --preset python >build.log 2>&1 || { cat build.log; exit 1; }; rm -f build.log
+	@cmake --build build --target pomona wheel pages pomona_archive -j $(JOBS)
 
 test-python: python ## the module's tests, on the wheel as it is installed; FULL=1 compares the bytes of every fruit, format and knife, too
 	@scripts/setup.sh test-python
-	ctest --test-dir build-python --output-on-failure
-	$(if $(FULL),cmake --build build-python --target python_bytes_full)
+	ctest --test-dir build --output-on-failure
+	$(if $(FULL),cmake --build build --target python_bytes_full)
 
 # Other programs, and what runs in node or in a browser.
 .npm:
@@ -227,12 +227,12 @@ gallery-page: build ## a gallery for the web: out/gallery/index.html, and a page
 	@scripts/gallery_page.py build/pomona out/gallery
 
 install: python ## program, templates, scenes, manual page, completions, library, Python module: PREFIX=/usr/local DESTDIR=
-	@DESTDIR="$(DESTDIR)" cmake --install build-python --prefix "$(or $(PREFIX),/usr/local)" >build-python/install.log || { cat build-python/install.log; exit 1; }
+	@DESTDIR="$(DESTDIR)" cmake --install build --prefix "$(or $(PREFIX),/usr/local)" >build/install.log || { cat build/install.log; exit 1; }
 	@echo "installed into $(DESTDIR)$(or $(PREFIX),/usr/local)"
 
 package: python ## the program and the Python module as build/package/pomona_*.deb
 	@scripts/setup.sh package
-	@cd build-python && cpack -B $(CURDIR)/build/package
+	@cd build && cpack -B $(CURDIR)/build/package
 
 test-package: package ## installs the .deb in a bare Debian 12 in a folder, and runs the README's commands there; needs root
 	@scripts/setup.sh build test package
@@ -241,4 +241,4 @@ test-package: package ## installs the .deb in a bare Debian 12 in a folder, and 
 	ctest --test-dir build --output-on-failure -L package
 
 clean: ## removes what was built, keeps out/
-	rm -rf build build-python build-sanitize build-clang build-fuzz
+	rm -rf build build-sanitize build-clang build-fuzz

@@ -1,7 +1,7 @@
 """Writes what type checkers read of the package, __init__.pyi: its functions with all options of the table as keyword
 arguments.
 
-    make_stubs.py PACKAGE OUTPUT        PACKAGE: build-python/module
+    make_stubs.py PACKAGE OUTPUT        PACKAGE: build/module
 """
 
 import functools

@@ -1,7 +1,7 @@
 """Makes the wheel of the Python module, by the standard library alone: the same bytes for the same files.
 
     make_wheel.py PACKAGE SOURCE VERSION TAG FOLDER
-        PACKAGE   build-python/module: what `import` finds
+        PACKAGE   build/module: what `import` finds
         SOURCE    the source tree, whose templates, scenes and styles go with it
         TAG       "cp311-cp311-linux_x86_64"
 """
