@@ -46,26 +46,50 @@ Enclosures::Enclosures(std::vector<Triangle> triangles) : triangles_(std::move(t
     }
   }
   across_ = 1 + static_cast<int>(std::sqrt(static_cast<double>(triangles_.size()) / 4));
-  cell_ = glm::max(high - low_, glm::dvec2(1e-300)) / static_cast<double>(across_);
-
-  // List the triangles over each column, in their order.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> over;
-  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-    const auto& c = triangles_[i].corner;
-    const glm::dvec2 from = glm::min(on_ground(c[0]), glm::min(on_ground(c[1]), on_ground(c[2])));
-    const glm::dvec2 to = glm::max(on_ground(c[0]), glm::max(on_ground(c[1]), on_ground(c[2])));
-    for (int z = column(from.y, 1); z <= column(to.y, 1); ++z) {
-      for (int x = column(from.x, 0); x <= column(to.x, 0); ++x) {
-        over.emplace_back(static_cast<std::uint32_t>(z * across_ + x), i);
-      }
-    }
+  set_cells(high);
+  // Triangles that lie over many columns get fewer of them, so that entries take memory in proportion to triangles.
+  constexpr std::size_t max_entries = 32;  // per triangle
+  while (across_ > 1 && count_entries() > max_entries * triangles_.size()) {
+    across_ = (across_ + 1) / 2;
+    set_cells(high);
   }
+  fill_columns();
+}
+
+void Enclosures::set_cells(const glm::dvec2& high) {
+  cell_ = glm::max(high - low_, glm::dvec2(1e-300)) / static_cast<double>(across_);
+}
+
+template <typename Visit>
+void Enclosures::visit_columns(const Triangle& t, const Visit& visit) const {
+  const glm::dvec2 a = on_ground(t.corner[0]), b = on_ground(t.corner[1]), c = on_ground(t.corner[2]);
+  const glm::dvec2 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
+  const int left = column(from.x, 0), right = column(to.x, 0), last = column(to.y, 1);
+  for (int z = column(from.y, 1); z <= last; ++z) visit(z * across_ + left, z * across_ + right);
+}
+
+std::size_t Enclosures::count_entries() const {
+  std::size_t count = 0;
+  for (const Triangle& t : triangles_)
+    visit_columns(t, [&](int first, int last) { count += static_cast<std::size_t>(last - first + 1); });
+  return count;
+}
+
+void Enclosures::fill_columns() {
   start_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(across_) + 1, 0);
-  for (const auto& [at, triangle] : over) ++start_[at + 1];
+  for (const Triangle& t : triangles_) {
+    visit_columns(t, [&](int first, int last) {
+      for (int at = first; at <= last; ++at) ++start_[static_cast<std::size_t>(at) + 1];
+    });
+  }
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-  entry_.resize(over.size());
+  entry_.resize(start_.back());
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (const auto& [at, triangle] : over) entry_[next[at]++] = triangle;
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    visit_columns(triangles_[i], [&](int first, int last) {
+      for (int at = first; at <= last; ++at) entry_[next[static_cast<std::size_t>(at)]++] = i;
+    });
+  }
 }
 
 int Enclosures::column(double v, int axis) const {

@@ -30,6 +30,13 @@ class Enclosures {
 
  private:
   int column(double v, int axis) const;
+  void set_cells(const glm::dvec2& high);
+  std::size_t count_entries() const;
+  void fill_columns();
+
+  /// Calls visit(first column, last column) for each row of columns that the triangle lies over.
+  template <typename Visit>
+  void visit_columns(const Triangle& triangle, const Visit& visit) const;
 
   std::vector<Triangle> triangles_;
   glm::dvec2 low_{0}, cell_{1};

@@ -140,6 +140,19 @@ class Intersections {
   const Found& found_;
 };
 
+/// Adds those pairs of children of the two nodes that meet, in the order in which Intersections takes them.
+void add_children(const BoxTree<double>& one, std::uint32_t a, const BoxTree<double>& other, std::uint32_t b,
+                  std::vector<BoxPair>& pairs) {
+  const auto &m = one.node[a], &n = other.node[b];
+  if (!m.box.meets(n.box)) return;
+  if (m.count == 1 && n.count == 1)
+    pairs.emplace_back(a, b);
+  else if (m.leaves >= n.leaves)
+    pairs.insert(pairs.end(), {{m.first, b}, {m.first + 1, b}});
+  else
+    pairs.insert(pairs.end(), {{a, n.first}, {a, n.first + 1}});
+}
+
 }  // namespace
 
 void visit_overlapping_boxes(const std::vector<Box<float>>& boxes,
@@ -158,14 +171,28 @@ std::vector<BoxPair> overlapping_boxes(const std::vector<Box<float>>& boxes) {
   return pairs;
 }
 
-std::vector<BoxPair> overlapping_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other) {
-  std::vector<BoxPair> pairs;
+std::vector<BoxPair> overlapping_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other,
+                                       Threads threads) {
   const BoxTree<double> a(one), b(other);
-  const auto found = [&](std::uint32_t i, std::uint32_t j) {
-    pairs.emplace_back(i, j);
-    return true;
-  };
-  if (!a.node.empty() && !b.node.empty()) Intersections(a, b, found).between(0, 0);
+  if (a.node.empty() || b.node.empty()) return {};
+  constexpr std::size_t shares = 64;
+  std::vector<BoxPair> top{{0, 0}};  // nodes
+  while (top.size() < shares) {
+    std::vector<BoxPair> lower;
+    for (const auto& [m, n] : top) add_children(a, m, b, n, lower);
+    if (lower == top) break;
+    top = std::move(lower);
+  }
+  std::vector<std::vector<BoxPair>> found(top.size());
+  parallel_for(top.size(), threads, [&](std::size_t share) {
+    const auto take = [&](std::uint32_t i, std::uint32_t j) {
+      found[share].emplace_back(i, j);
+      return true;
+    };
+    Intersections(a, b, take).between(top[share].first, top[share].second);
+  });
+  std::vector<BoxPair> pairs;
+  for (const std::vector<BoxPair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
   return pairs;
 }
 

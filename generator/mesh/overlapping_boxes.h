@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/base/parallel.h"
 #include "generator/mesh/box.h"
 
 namespace pomona {
@@ -20,6 +21,7 @@ void visit_overlapping_boxes(const std::vector<Box<float>>& boxes,
                              const std::function<bool(std::uint32_t, std::uint32_t)>& visit);
 
 /// Every pair of a box of `one` and a box of `other` that overlap, as indices. The order depends only on the boxes.
-std::vector<BoxPair> overlapping_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other);
+std::vector<BoxPair> overlapping_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other,
+                                       Threads threads = {1});
 
 }  // namespace pomona

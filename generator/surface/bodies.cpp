@@ -1,6 +1,8 @@
 #include "generator/surface/bodies.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "generator/base/error.h"
 #include "generator/surface/shell_geometry.h"
@@ -12,7 +14,10 @@ namespace {
 class BodyFinder {
  public:
   explicit BodyFinder(const DiffusionSurfaces& surfaces)
-      : surfaces_(surfaces), shells_(find_shells(surfaces)), shell_(measured_shells(surfaces, shells_)) {}
+      : surfaces_(surfaces),
+        shells_(find_shells(surfaces)),
+        shell_(measured_shells(surfaces, shells_)),
+        lone_(shell_.size(), 0) {}
 
   Bodies find() {
     const std::vector<std::size_t> outer = outer_shells();
@@ -24,28 +29,18 @@ class BodyFinder {
  private:
   /// For each shell the outer shell it belongs to: itself, or for a cavity wall the smallest around it.
   std::vector<std::size_t> outer_shells() {
-    std::vector<std::size_t> solids;
-    for (std::size_t s = 0; s < shell_.size(); ++s) {
-      if (shell_[s].volume > 0) solids.push_back(s);
-    }
-    std::stable_sort(solids.begin(), solids.end(),
-                     [&](std::size_t l, std::size_t r) { return shell_[l].volume < shell_[r].volume; });
-
-    std::vector<std::size_t> outer(shell_.size());
-    std::size_t walls = 0;
+    std::vector<std::size_t> outer(shell_.size()), solids, walls;
     for (std::size_t s = 0; s < shell_.size(); ++s) {
       outer[s] = s;
-      if (shell_[s].volume >= 0) continue;
-      // Compares each wall with every solid.
-      constexpr std::size_t max_walls = 4096;
-      if (++walls > max_walls)
-        throw Error(ExitStatus::bad_data, "more than 4096 cavities: surfaces that face inwards and are closed",
-                    "flip the surfaces whose back faces air, or leave some out");
-      const auto around = std::find_if(solids.begin(), solids.end(), [&](std::size_t solid) {
-        return containment_.contains(shell_[solid], shell_[s]);
-      });
-      if (around != solids.end()) outer[s] = *around;
-      if (around == solids.end()) add_lone_wall(s);
+      if (shell_[s].volume > 0) solids.push_back(s);
+      if (shell_[s].volume < 0) walls.push_back(s);
+    }
+    if (walls.empty()) return outer;
+    Containment containment(surfaces_, shell_, solids);
+    for (const std::size_t wall : walls) {
+      const std::optional<std::size_t> around = containment.smallest_around(wall);
+      outer[wall] = around.value_or(wall);
+      lone_[wall] = around ? 0 : 1;
     }
     return outer;
   }
@@ -84,26 +79,30 @@ class BodyFinder {
     if (!has_boundary)
       bodies_.warnings.push_back(
           "no surface has a hidden side: nothing faces air, and there is no skin to show or to cut");
-    for (const std::int32_t s : lone_walls_)
+    for (const std::int32_t s : surfaces_of_lone_walls())
       bodies_.warnings.push_back("surface \"" + surfaces_.surface_names[static_cast<std::size_t>(s)] +
                                  "\": a cavity wall lies in no skin, so nothing of it is solid: its hidden side faces "
                                  "inwards. Hide its other side, or turn it (a [[mesh]] by flip)");
   }
 
-  /// Stores the surface of the shell.
-  void add_lone_wall(std::size_t shell) {
-    const auto first =
-        std::find(shells_.of_triangle.begin(), shells_.of_triangle.end(), static_cast<std::int32_t>(shell));
-    const std::int32_t s = surfaces_.surface[static_cast<std::size_t>(first - shells_.of_triangle.begin())];
-    if (std::find(lone_walls_.begin(), lone_walls_.end(), s) == lone_walls_.end()) lone_walls_.push_back(s);
+  /// Of each such shell the surface of its first triangle, in the order of shells, each once.
+  std::vector<std::int32_t> surfaces_of_lone_walls() const {
+    std::vector<std::int32_t> lone;
+    std::vector<std::uint8_t> seen(shell_.size(), 0);
+    for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
+      if (shells_.of_triangle[t] == Shells::none) continue;
+      const auto s = static_cast<std::size_t>(shells_.of_triangle[t]);
+      if (std::exchange(seen[s], std::uint8_t{1}) != 0 || lone_[s] == 0) continue;
+      if (std::find(lone.begin(), lone.end(), surfaces_.surface[t]) == lone.end()) lone.push_back(surfaces_.surface[t]);
+    }
+    return lone;
   }
 
   const DiffusionSurfaces& surfaces_;
   Shells shells_;
   std::vector<Shell> shell_;
-  Containment containment_{surfaces_};
+  std::vector<std::uint8_t> lone_;  ///< per shell: a cavity wall in no skin
   Bodies bodies_;
-  std::vector<std::int32_t> lone_walls_;  ///< surfaces
 };
 
 void check_sides(const DiffusionSurfaces& surfaces) {

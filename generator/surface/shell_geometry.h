@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "generator/mesh/box.h"
+#include "generator/mesh/enclosures.h"
 #include "generator/surface/shells.h"
 
 namespace pomona {
@@ -20,24 +22,36 @@ struct Shell {
 /// Every shell, in order.
 std::vector<Shell> measured_shells(const DiffusionSurfaces& surfaces, const Shells& shells);
 
-/// Tests which shells lie in which. A test takes time proportional to the size of the outer shell; a budget limits the
-/// time that a hostile file can take.
+/// Finds the shells around a shell. Closed ones are all tested at once, by a line upwards, which meets few of their
+/// triangles. A test against an open one takes time in proportion to its size. A budget limits the time that a hostile
+/// file can take.
 class Containment {
  public:
-  /// \param solid_angles the budget: number of triangles that are tested in all; the default takes some ten seconds
-  explicit Containment(const DiffusionSurfaces& surfaces, double solid_angles = 4e8)
-      : surfaces_(surfaces), solid_angles_left_(solid_angles) {}
+  /// \param outer the shells that may lie around others
+  /// \param triangles the budget: number of triangles that are tested in all; the default takes some ten seconds
+  Containment(const DiffusionSurfaces& surfaces, const std::vector<Shell>& shells,
+              const std::vector<std::size_t>& outer, double triangles = 4e8);
 
-  /// Decides by the mean winding number around some of the inner shell's triangles. So shells that touch in places, and
-  /// small open rims, do not matter.
+  /// The smallest outer shell that contains the shell, if there is one: by its volume, whichever way it faces; of equal
+  /// ones the first. The mean winding number around some triangles of the inner shell decides. So shells that touch in
+  /// places, and small open rims, do not matter.
   /// \throws Error (bad_data) once the budget is spent.
-  bool contains(const Shell& outer, const Shell& inner);
+  std::optional<std::size_t> smallest_around(std::size_t shell);
 
  private:
+  std::vector<glm::dvec3> samples_of(const Shell& shell) const;
+  std::optional<std::size_t> smallest_closed(std::size_t shell, const std::vector<glm::dvec3>& samples);
+  bool is_in_open(std::size_t open, const std::vector<glm::dvec3>& samples);
+  bool is_in_bounds(std::size_t outer, std::size_t inner) const;
+  bool is_smaller(std::size_t a, std::size_t b) const;
   double winding_number(const Shell& shell, const glm::dvec3& point);
+  void spend(std::size_t triangles);
 
   const DiffusionSurfaces& surfaces_;
-  double solid_angles_left_;
+  const std::vector<Shell>& shells_;
+  double triangles_left_;
+  Enclosures closed_;
+  std::vector<std::size_t> open_;  // the smallest first
 };
 
 }  // namespace pomona

@@ -1,12 +1,14 @@
 #include "generator/surface/bodies.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/stop_watch.h"
 #include "generator/base/units.h"
 #include "generator/surface/shell_geometry.h"
 #include "tests/shapes/shapes.h"
@@ -15,6 +17,13 @@ namespace pomona {
 namespace {
 
 using namespace shapes;
+
+/// Of a closed surface with air inside.
+Paint wall_paint() {
+  Paint paint;
+  paint.back_hidden = true;
+  return paint;
+}
 
 TEST(Bodies, ASkinIsOneClosedBody) {
   const DiffusionSurfaces ball = tilted(sphere(1, 16, skin_paint()));
@@ -86,16 +95,61 @@ TEST(Bodies, ABodyThatTouchesOthersAtAllItsEdgesIsOneStill) {
   }
 }
 
+TEST(Bodies, ACavityWallBelongsToTheSmallestBodyAroundIt) {
+  // Balls within balls: solid, hollow, solid, hollow; and beside the hollow of the inner one a bubble in the outer.
+  DiffusionSurfaces all = joined(hollow_ball(1, 0.7, 8), moved(hollow_ball(0.5, 0.2, 8), {0.1, 0, 0}));
+  all = joined(all, moved(sphere(0.05, 4, wall_paint()), {0, 0.85, 0}));
+  const Bodies found = find_bodies(all);
+  ASSERT_EQ(found.bodies.size(), 2u);
+  EXPECT_EQ(found.bodies[0].shells, 3);
+  EXPECT_EQ(found.bodies[1].shells, 2);
+  EXPECT_EQ(found.of_triangle.back(), 0);
+}
+
+TEST(Bodies, TenThousandBubblesAreFoundInASecond) {
+  constexpr int across = 22;  // 10 648
+  DiffusionSurfaces bread = box({0, 0, 0}, glm::dvec3(across), 1, skin_paint());
+  const DiffusionSurfaces bubble = sphere(0.3, 1, wall_paint());
+  std::vector<DiffusionSurfaces> bubbles;
+  for (int i = 0; i < across * across * across; ++i)
+    bubbles.push_back(moved(bubble, glm::dvec3(i % across, i / across % across, i / across / across) + 0.5));
+  while (bubbles.size() > 1) {
+    const std::size_t half = (bubbles.size() + 1) / 2;
+    for (std::size_t i = 0; i + half < bubbles.size(); ++i) bubbles[i] = joined(bubbles[i], bubbles[i + half]);
+    bubbles.resize(half);
+  }
+  bread = joined(bread, bubbles.front());
+  const StopWatch watch;
+  const Bodies found = find_bodies(bread);
+  EXPECT_LT(watch.milliseconds(), 10 * 1000) << "in proportion: a quarter of a second where nothing else runs";
+  ASSERT_EQ(found.bodies.size(), 1u);
+  EXPECT_EQ(found.bodies[0].shells, across * across * across + 1);
+}
+
 TEST(Containment, IsToldUntilItsBudgetIsSpent) {
   const DiffusionSurfaces both = joined(hollow_ball(1, 0.5, 2), moved(sphere(0.1, 1, skin_paint()), {0, 0.7, 0}));
   const std::vector<Shell> shells = measured_shells(both, find_shells(both));
   ASSERT_EQ(shells.size(), 3u);
-  // Each query asks for eight of the inner shell's triangles, and visits the outer shell's 32.
-  Containment containment(both, 2.5 * 8 * 32);
-  EXPECT_TRUE(containment.contains(shells[0], shells[1]));
-  EXPECT_FALSE(containment.contains(shells[1], shells[0])) << "a box in no box costs nothing";
-  EXPECT_TRUE(containment.contains(shells[0], shells[2]));
-  EXPECT_THROW(containment.contains(shells[0], shells[1]), Error);
+  Containment containment(both, shells, {0, 1});
+  EXPECT_EQ(containment.smallest_around(1), std::optional<std::size_t>(0));
+  EXPECT_EQ(containment.smallest_around(2), std::optional<std::size_t>(0)) << "it lies beside the hollow";
+  EXPECT_EQ(containment.smallest_around(0), std::nullopt);
+  Containment poor(both, shells, {0, 1}, 8);
+  EXPECT_THROW(poor.smallest_around(1), Error);
+}
+
+TEST(Containment, TakesShellsWithAHoleByTheirSolidAngle) {
+  DiffusionSurfaces ball = joined(sphere(1, 8, skin_paint()), sphere(0.5, 4, skin_paint()));
+  for (std::size_t t = 0; t < 2; ++t) {
+    ball.triangle.erase(ball.triangle.begin());
+    ball.surface.erase(ball.surface.begin());
+    ball.front_part.erase(ball.front_part.begin());
+    ball.back_part.erase(ball.back_part.begin());
+  }
+  const std::vector<Shell> shells = measured_shells(ball, find_shells(ball));
+  ASSERT_EQ(shells.size(), 2u);
+  ASSERT_FALSE(shells[0].closed);
+  EXPECT_EQ(Containment(ball, shells, {0}).smallest_around(1), std::optional<std::size_t>(0));
 }
 
 TEST(Bodies, OpenBoundariesWarnByName) {
@@ -112,9 +166,7 @@ TEST(Bodies, SurfacesThatNoneHidesWarn) {
 }
 
 TEST(Bodies, AShellInsideOutIsClosedButWarned) {
-  Paint paint;
-  paint.back_hidden = true;
-  const Bodies found = find_bodies(sphere(1, 4, paint));
+  const Bodies found = find_bodies(sphere(1, 4, wall_paint()));
   EXPECT_EQ(found.bodies.size(), 1u);
   EXPECT_EQ(found.bodies[0].volume, 0);
   EXPECT_EQ(found.warnings.size(), 1u);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "generator/base/parallel.h"
 #include "generator/cut/carve/tie_rule.h"
 
 namespace pomona {
@@ -24,6 +25,7 @@ struct Intersection {
 
 /// All intersections, sorted by the fruit's triangle, then by the knife's. By the tie rule, two triangles intersect in
 /// a segment or not at all, and the crossing of an edge is the same for all triangles at the edge.
-std::vector<Intersection> intersections(std::span<const Corners> fruit, std::span<const Corners> knife);
+std::vector<Intersection> intersections(std::span<const Corners> fruit, std::span<const Corners> knife,
+                                        Threads threads = {1});
 
 }  // namespace pomona

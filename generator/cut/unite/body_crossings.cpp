@@ -48,20 +48,10 @@ class CrossingFinder {
 
   void find_segments(Threads threads) {
     std::vector<Corners> first, second;
+    first.reserve(first_.size()), second.reserve(second_.size());
     for (const BodyFacet& f : first_) first.push_back(corners(f));
     for (const BodyFacet& f : second_) second.push_back(corners(f));
-    constexpr std::size_t facets_a_share = 512;
-    const std::size_t shares = std::min<std::size_t>(8, 1 + second.size() / facets_a_share);
-    std::vector<std::vector<Intersection>> found(shares);
-    parallel_for(shares, threads, [&](std::size_t i) {
-      const std::size_t begin = second.size() * i / shares, end = second.size() * (i + 1) / shares;
-      found[i] = intersections(first, std::span(second).subspan(begin, end - begin));
-      for (Intersection& segment : found[i]) segment.knife += static_cast<std::uint32_t>(begin);
-    });
-    for (const std::vector<Intersection>& some : found) segment_.insert(segment_.end(), some.begin(), some.end());
-    std::stable_sort(segment_.begin(), segment_.end(), [](const Intersection& a, const Intersection& b) {
-      return std::tie(a.fruit, a.knife) < std::tie(b.fruit, b.knife);
-    });
+    segment_ = intersections(first, second, threads);
   }
 
   const BodyFacet& edge_owner(const Intersection& s, const Crossing& at) const {

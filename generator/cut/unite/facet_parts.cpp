@@ -59,48 +59,59 @@ class FlatView {
 /// Cuts off one corner after another. It always ends with all triangles, be they as thin as rounding makes them.
 class EarClipper {
  public:
-  EarClipper(const FlatView& view, Polygon polygon) : view_(view), left_(std::move(polygon)) {}
+  EarClipper(const FlatView& view, Polygon polygon) : left_(std::move(polygon)) {
+    at_.reserve(left_.size());
+    for (const std::uint32_t point : left_) at_.push_back(view.at(point));
+  }
 
   std::vector<std::array<std::uint32_t, 3>> run() {
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    triangles.reserve(left_.size() - 2);
     while (left_.size() > 3) {
       const std::size_t ear = best_ear();
-      triangles.push_back({before(ear), left_[ear], after(ear)});
+      triangles.push_back({left_[before(ear)], left_[ear], left_[after(ear)]});
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
+      at_.erase(at_.begin() + static_cast<std::ptrdiff_t>(ear));
     }
     triangles.push_back({left_[0], left_[1], left_[2]});
     return triangles;
   }
 
  private:
-  std::uint32_t before(std::size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
-  std::uint32_t after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
+  std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : left_.size() - 1; }
+  std::size_t after(std::size_t i) const { return i + 1 < left_.size() ? i + 1 : 0; }
+
+  static double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) { return cross(b - a, c - a); }
 
   /// The one with the shortest diagonal; where rounding leaves none, the one with the largest area.
   std::size_t best_ear() const {
     std::size_t best = 0, largest = 0;
     double shortest = std::numeric_limits<double>::infinity(), max = -shortest;
     for (std::size_t i = 0; i < left_.size(); ++i) {
-      const double area = view_.area(before(i), left_[i], after(i));
-      if (area > max) max = area, largest = i;
-      const glm::dvec2 diagonal = view_.at(after(i)) - view_.at(before(i));
+      const glm::dvec2 &a = at_[before(i)], &c = at_[after(i)];
+      const double size = area(a, at_[i], c);
+      if (size > max) max = size, largest = i;
+      const glm::dvec2 diagonal = c - a;
       const double square = glm::dot(diagonal, diagonal);
-      if (area <= 0 || square >= shortest || !is_empty(i)) continue;
+      if (size <= 0 || square >= shortest || !is_empty(i)) continue;
       shortest = square, best = i;
     }
     return std::isinf(shortest) ? largest : best;
   }
 
   bool is_empty(std::size_t ear) const {
-    const std::uint32_t a = before(ear), b = left_[ear], c = after(ear);
-    return std::none_of(left_.begin(), left_.end(), [&](std::uint32_t p) {
-      return p != a && p != b && p != c && view_.area(a, b, p) >= 0 && view_.area(b, c, p) >= 0 &&
-             view_.area(c, a, p) >= 0;
-    });
+    const std::size_t first = before(ear), last = after(ear);
+    const glm::dvec2 &a = at_[first], &b = at_[ear], &c = at_[last];
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      // A bridge leads through one point twice.
+      if (left_[i] == left_[first] || left_[i] == left_[ear] || left_[i] == left_[last]) continue;
+      if (area(a, b, at_[i]) >= 0 && area(b, c, at_[i]) >= 0 && area(c, a, at_[i]) >= 0) return false;
+    }
+    return true;
   }
 
-  const FlatView& view_;
   Polygon left_;
+  std::vector<glm::dvec2> at_;  // per corner that is left
 };
 
 class FacetParter {
@@ -112,7 +123,10 @@ class FacetParter {
     if (!take_chains()) return std::nullopt;
     const bool found = starts_.empty() ? take_border_whole() : walk_regions();
     if (!found || !cut_out_loops()) return std::nullopt;
+    std::size_t corners = 0;
+    for (const Region& region : regions_) corners += region.border.size();
     std::vector<FacetPart> parts;
+    parts.reserve(corners);
     for (const Region& region : regions_) {
       for (const auto& t : triangles_of(region.border)) parts.push_back({t, region.inside});
     }

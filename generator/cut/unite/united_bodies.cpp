@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <unordered_map>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -159,23 +159,40 @@ class BodyUniter {
   }
 
  private:
-  /// Which other bodies' boxes each triangle comes near, and the walls of each body that come near any.
+  /// Which other bodies' boxes each triangle comes near, and the walls of each body that come near any. Triangles in a
+  /// row mostly lie side by side: one box around them tells of most bodies that none comes near.
   void find_near() {
     near_wall_.resize(bodies_.count());
-    for (std::uint32_t w = 0; w < wall_.size(); ++w) {
-      const WallCorners& c = wall_[w].facet.corner;
-      const Box<double> box = box_around(place_[c[0]], place_[c[1]], place_[c[2]]);
-      near_.emplace_back();
-      for (const std::int32_t body : bodies_.met(index(wall_[w].facet.body)))
-        if (box.meets(bodies_.box(body))) near_.back().push_back(body);
-      if (!near_.back().empty()) near_wall_[index(wall_[w].facet.body)].push_back(w);
+    near_begin_.reserve(wall_.size() + 1);
+    constexpr std::uint32_t row = 32;
+    std::vector<Box<double>> box(row);
+    std::vector<std::int32_t> near_row;
+    for (std::uint32_t begin = 0, end = 0; begin < wall_.size(); begin = end) {
+      const std::size_t body = index(wall_[begin].facet.body);
+      Box<double> around;
+      for (end = begin; end < wall_.size() && end < begin + row && index(wall_[end].facet.body) == body; ++end) {
+        const WallCorners& c = wall_[end].facet.corner;
+        box[end - begin] = box_around(place_[c[0]], place_[c[1]], place_[c[2]]);
+        around.add(box[end - begin]);
+      }
+      near_row.clear();
+      for (const std::int32_t other : bodies_.met(body))
+        if (around.meets(bodies_.box(other))) near_row.push_back(other);
+      for (std::uint32_t w = begin; w < end; ++w) {
+        near_begin_.push_back(static_cast<std::uint32_t>(near_.size()));
+        for (const std::int32_t other : near_row)
+          if (box[w - begin].meets(bodies_.box(other))) near_.push_back(other);
+        if (near_.size() > near_begin_.back()) near_wall_[body].push_back(w);
+      }
     }
+    near_begin_.push_back(static_cast<std::uint32_t>(near_.size()));
     first_part_ = static_cast<std::uint32_t>(wall_.size());
   }
 
   /// Of the wall that it is a part of.
-  const std::vector<std::int32_t>& near(std::uint32_t wall) const {
-    return near_[wall < first_part_ ? wall : part_of_[wall - first_part_]];
+  std::span<const std::int32_t> near(std::uint32_t wall) const {
+    const std::uint32_t whole = wall < first_part_ ? wall : part_of_[wall - first_part_];
+    return std::span(near_).subspan(near_begin_[whole], near_begin_[whole + 1] - near_begin_[whole]);
   }
 
   bool is_apart(std::int32_t body) const {
@@ -211,9 +228,11 @@ class BodyUniter {
     std::vector<std::uint32_t> walls;
     for (std::size_t b = 0; b < bodies_.count(); ++b) {
       if (is_other(of_first, static_cast<std::int32_t>(b)) || layer_of_[b] > layer_) continue;
+      const std::vector<std::int32_t>& met = bodies_.met(b);
+      if (std::none_of(met.begin(), met.end(), [&](std::int32_t body) { return is_other(of_first, body); })) continue;
       for (const std::uint32_t w : near_wall_[b]) {
         if (wall_[w].is_inside || wall_[w].is_parted) continue;
-        const std::vector<std::int32_t>& by = near(w);
+        const std::span<const std::int32_t> by = near(w);
         if (std::any_of(by.begin(), by.end(), [&](std::int32_t body) { return is_other(of_first, body); }))
           walls.push_back(w);
       }
@@ -284,7 +303,8 @@ class BodyUniter {
   std::vector<Wall> wall_;  // the parts behind the whole ones
   BodyWindings windings_;
   DisjointSets united_;                                // of bodies
-  std::vector<std::vector<std::int32_t>> near_;        // per whole wall
+  std::vector<std::int32_t> near_;                     // bodies, whole wall by whole wall
+  std::vector<std::uint32_t> near_begin_;              // per whole wall: its first
   std::vector<std::vector<std::uint32_t>> near_wall_;  // per body
   std::uint32_t first_part_ = 0;
   std::vector<std::uint32_t> part_of_;  // per part: the whole wall
@@ -297,30 +317,50 @@ class BodyUniter {
 class SurfaceUniter {
   static constexpr std::uint32_t unset = 0xffffffffu;
 
+  /// The vertex of a triangle at a point.
+  struct Made {
+    std::uint32_t source = unset, vertex = unset;
+  };
+
  public:
   SurfaceUniter(const DiffusionSurfaces& surfaces, BodyUniter& uniter)
-      : from_(surfaces), uniter_(uniter), place_(uniter.place()), of_triangle_(surfaces.triangle_count()) {
-    const std::vector<Wall>& walls = uniter.walls();
-    for (std::uint32_t w = 0; w < walls.size(); ++w)
-      if (!walls[w].is_parted) of_triangle_[walls[w].source].push_back(w);
+      : from_(surfaces), uniter_(uniter), place_(uniter.place()), made_(place_.size()) {
+    sort_walls();
   }
 
   UnitedBodies run(const Bodies& bodies) {
     to_ = from_;
     to_.triangle.clear(), to_.surface.clear(), to_.front_part.clear(), to_.back_part.clear();
+    const std::size_t triangles = from_.triangle_count() + wall_.size();
+    to_.triangle.reserve(triangles), to_.surface.reserve(triangles);
+    to_.front_part.reserve(triangles), to_.back_part.reserve(triangles);
     result_.bodies = bodies;
     result_.bodies.of_triangle.clear();
+    result_.bodies.of_triangle.reserve(triangles);
     for (std::uint32_t t = 0; t < from_.triangle_count(); ++t) {
       const std::int32_t body = bodies.of_triangle[t];
       const std::int32_t now = body == Bodies::none ? body : uniter_.body_now(body);
-      if (of_triangle_[t].empty()) add(t, from_.triangle[t], now);
-      for (const std::uint32_t w : of_triangle_[t]) add_wall(uniter_.walls()[w], now);
+      if (wall_begin_[t] == wall_begin_[t + 1]) add(t, from_.triangle[t], now);
+      for (std::uint32_t w = wall_begin_[t]; w < wall_begin_[t + 1]; ++w) add_wall(uniter_.walls()[wall_[w]], now);
     }
     result_.surfaces = std::move(to_);
     return std::move(result_);
   }
 
  private:
+  /// The walls that are not parted, triangle by triangle.
+  void sort_walls() {
+    const std::vector<Wall>& walls = uniter_.walls();
+    wall_begin_.assign(from_.triangle_count() + 1, 0);
+    for (const Wall& wall : walls)
+      if (!wall.is_parted) ++wall_begin_[wall.source + 1];
+    std::partial_sum(wall_begin_.begin(), wall_begin_.end(), wall_begin_.begin());
+    wall_.resize(wall_begin_.back());
+    std::vector<std::uint32_t> next(wall_begin_.begin(), wall_begin_.end() - 1);
+    for (std::uint32_t w = 0; w < walls.size(); ++w)
+      if (!walls[w].is_parted) wall_[next[walls[w].source]++] = w;
+  }
+
   void add(std::uint32_t source, const glm::uvec3& triangle, std::int32_t body) {
     to_.triangle.push_back(triangle);
     to_.surface.push_back(from_.surface[source]);
@@ -348,11 +388,12 @@ class SurfaceUniter {
     const glm::dvec3& p = place_[point];
     for (int k = 0; k < 3; ++k)
       if (glm::dvec3(from_.position[v[k]]) == p) return v[k];
+    Made& made = made_[point];
+    if (made.source == wall.source) return made.vertex;
     const std::array<double, 3> weight = weights_in(
         {glm::dvec3(from_.position[v.x]), glm::dvec3(from_.position[v.y]), glm::dvec3(from_.position[v.z])}, p);
-    const auto [entry, is_new] = made_.try_emplace(std::uint64_t{wall.source} << 32 | point, 0u);
-    if (is_new) entry->second = blended(v, weight, p, from_.is_hidden(wall.source, SideOf::front));
-    return entry->second;
+    made = {wall.source, blended(v, weight, p, from_.is_hidden(wall.source, SideOf::front))};
+    return made.vertex;
   }
 
   std::uint32_t blended(const glm::uvec3& v, const std::array<double, 3>& weight, const glm::dvec3& p,
@@ -396,8 +437,8 @@ class SurfaceUniter {
   const DiffusionSurfaces& from_;
   BodyUniter& uniter_;
   const std::vector<glm::dvec3>& place_;
-  std::vector<std::vector<std::uint32_t>> of_triangle_;    // walls that are no longer parted, per triangle
-  std::unordered_map<std::uint64_t, std::uint32_t> made_;  // by triangle and point
+  std::vector<std::uint32_t> wall_, wall_begin_;  // walls that are not parted; per triangle: its first
+  std::vector<Made> made_;                        // per point: for the triangle that came last
   Copies inner_, ended_;
   DiffusionSurfaces to_;
   UnitedBodies result_;

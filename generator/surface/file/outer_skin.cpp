@@ -1,9 +1,9 @@
 #include "generator/surface/file/outer_skin.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "generator/surface/shell_geometry.h"
@@ -18,24 +18,12 @@ bool any_hidden(const std::vector<std::uint8_t>& hidden) {
 
 /// Closed shells that lie in no larger one.
 std::vector<std::uint8_t> outermost(const DiffusionSurfaces& surfaces, const std::vector<Shell>& shells) {
-  std::vector<std::size_t> order(shells.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t l, std::size_t r) {
-    return std::fabs(shells[l].volume) > std::fabs(shells[r].volume);
-  });
-
-  constexpr std::size_t max_skins = 1024;
-  Containment containment(surfaces);
-  std::vector<std::size_t> skins;
+  std::vector<std::size_t> closed;
+  for (std::size_t s = 0; s < shells.size(); ++s)
+    if (shells[s].closed && shells[s].volume != 0) closed.push_back(s);
+  Containment containment(surfaces, shells, closed);
   std::vector<std::uint8_t> is_skin(shells.size(), 0);
-  for (const std::size_t s : order) {
-    if (!shells[s].closed || shells[s].volume == 0 || skins.size() == max_skins) continue;
-    const bool inside = std::any_of(skins.begin(), skins.end(),
-                                    [&](std::size_t skin) { return containment.contains(shells[skin], shells[s]); });
-    if (inside) continue;
-    skins.push_back(s);
-    is_skin[s] = 1;
-  }
+  for (const std::size_t s : closed) is_skin[s] = containment.smallest_around(s) ? 0 : 1;
   return is_skin;
 }
 
@@ -73,6 +61,23 @@ DiffusionSurfaces with_outer_skin(DiffusionSurfaces surfaces) {
     }
   }
   return surfaces;
+}
+
+std::optional<std::size_t> shell_inside_out(const DiffusionSurfaces& surfaces) {
+  const Shells shells = find_shells(surfaces);
+  const std::vector<Shell> measured = measured_shells(surfaces, shells);
+  std::vector<std::size_t> solids, walls;
+  for (std::size_t s = 0; s < measured.size(); ++s) {
+    if (measured[s].volume > 0) solids.push_back(s);
+    if (measured[s].volume < 0 && measured[s].closed) walls.push_back(s);
+  }
+  if (walls.empty()) return std::nullopt;
+  Containment containment(surfaces, measured, solids);
+  const auto lone =
+      std::find_if(walls.begin(), walls.end(), [&](std::size_t wall) { return !containment.smallest_around(wall); });
+  if (lone == walls.end()) return std::nullopt;
+  const auto& of = shells.of_triangle;
+  return static_cast<std::size_t>(std::find(of.begin(), of.end(), static_cast<std::int32_t>(*lone)) - of.begin());
 }
 
 }  // namespace pomona
