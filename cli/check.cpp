@@ -12,6 +12,7 @@
 
 #include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
+#include "cli/data/wanted_data.h"
 #include "cli/options/find_style.h"
 #include "cli/options/find_template.h"
 #include "cli/options/program_folders.h"
@@ -20,6 +21,7 @@
 #include "generator/base/json_text.h"
 #include "generator/base/printable.h"
 #include "generator/base/small_ending.h"
+#include "generator/data/data_file.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/make_parts.h"
 #include "generator/scene/scene_file.h"
@@ -131,6 +133,10 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
     throw Error(ExitStatus::bad_data, {{{file.string(), 1, 1, {}},
                                         "has no ending of a file that is read here",
                                         "these are .toml .ply .obj .glb .svg .png .json"}});
+  }
+  if (is_data_file(file)) {
+    wanted_data(file);
+    return {};
   }
   if (is_scene_file(file)) {
     const SceneDescription scene = read_scene(file);

@@ -28,6 +28,7 @@ DeclaredCommand cut_command(CLI::App& app);
 DeclaredCommand plate_command(CLI::App& app);
 DeclaredCommand scene_command(CLI::App& app);
 DeclaredCommand batch_command(CLI::App& app);
+DeclaredCommand data_command(CLI::App& app);
 DeclaredCommand merge_command(CLI::App& app);
 DeclaredCommand farm_command(CLI::App& app);
 DeclaredCommand compare_command(CLI::App& app);

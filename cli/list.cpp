@@ -15,6 +15,7 @@
 #include "generator/base/json_text.h"
 #include "generator/base/printable.h"
 #include "generator/batch/batch_file.h"
+#include "generator/data/data_file.h"
 #include "generator/scene/scene_file.h"
 #include "generator/template/read/read_template.h"
 
@@ -54,7 +55,7 @@ ExitStatus list_styles(bool json) {
 ExitStatus list_scenes(bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const auto& file : own_files("scenes")) {
-    if (is_batch_file(file)) continue;
+    if (is_batch_file(file) || is_data_file(file)) continue;
     const SceneDescription scene = read_scene(file);
     const std::string name = file.stem().string();
     all.push_back({{"name", name}, {"title", scene.title}});

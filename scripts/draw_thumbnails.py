@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The thumbnails of a batch on one picture, in the order of its manifest.
+"""The thumbnails of a batch, or the pictures of a data set, on one picture, in the order of its manifest.
 
     draw_thumbnails.py BATCH_FOLDER PICTURE.png [COLUMNS [MOST]]     at most MOST of them, 8 a row unless said
 """
@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-SIDE = 128  # pixels a thumbnail has on the picture
+SIZES = {"thumbnail.png": (128, 128), "picture.png": (160, 120)}  # pixels on the picture
 PAPER = "#f4f0e6"
 
 
@@ -19,10 +19,12 @@ def main():
     columns = int(sys.argv[3]) if len(sys.argv) > 3 else 8
     items = [item for item in json.loads((folder / "manifest.json").read_text())["items"] if item["files"]]
     items = items[:int(sys.argv[4])] if len(sys.argv) > 4 else items
-    width, height = columns * SIDE, -(-len(items) // columns) * SIDE
+    shown = next(name for name in SIZES if any(file["name"] == name for file in items[0]["files"]))
+    across, down = SIZES[shown]
+    width, height = columns * across, -(-len(items) // columns) * down
     images = "".join(
-        f'<image x="{n % columns * SIDE}" y="{n // columns * SIDE}" width="{SIDE}" height="{SIDE}" '
-        f'xlink:href="{item["item"]}/thumbnail.png"/>' for n, item in enumerate(items))
+        f'<image x="{n % columns * across}" y="{n // columns * down}" width="{across}" height="{down}" '
+        f'xlink:href="{item["item"]}/{shown}"/>' for n, item in enumerate(items))
     svg = (f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="{width}" '
            f'height="{height}"><rect width="100%" height="100%" fill="{PAPER}"/>{images}</svg>')
 

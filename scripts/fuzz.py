@@ -36,6 +36,7 @@ READERS = {
     "scene": (["scenes/*.toml", "tests/scene/bad/*.toml"], "toml"),
     "style": (["styles/*.toml"], "toml"),
     "batch": (["scenes/*.toml", "tests/batch/bad/*.toml"], "toml"),
+    "data": (["scenes/*.toml"], "toml"),
     "layout": (["tests/scene/bad/*.json"], "json"),
     "ply": (["tests/surface/bad/*.ply"], "ply"),
     "obj": (["scenes/dishes/*.obj"], "obj"),

@@ -7,6 +7,7 @@
 
 #include "cli/batch/contact_sheet.h"
 #include "cli/batch/finished_item.h"
+#include "cli/data/data_files.h"
 #include "generator/base/error.h"
 #include "generator/base/first_bytes.h"
 #include "generator/base/json_text.h"
@@ -92,6 +93,8 @@ AssembleReport assemble(Workplace& workplace) {
   workplace.put_file("manifest.json",
                      [&](const Workplace::Writer& write) { write_manifest(write, folder, record, batch, report); });
   workplace.put_file("index.html", [&](const Workplace::Writer& write) { write_page(write, folder, batch); });
+  if (is_data_record(record)) write_data_files(workplace, record);
+  workplace.remove_aside();
   return report;
 }
 

@@ -29,6 +29,8 @@ function element(kind, text, attributes = {}) {
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
   return made;
 }
+// Data sets show their pictures, batches a thumbnail.
+const shownFile = item => ['thumbnail.png', 'picture.png'].find(name => item.files.includes(name));
 const href = (item, file) => item.folder.split('/').concat(file).map(encodeURIComponent).join('/');
 const amount = millilitres => millilitres >= 100 ? millilitres.toFixed(0) + ' ml' : millilitres.toPrecision(3) + ' ml';
 
@@ -68,12 +70,12 @@ function draw() {
 
 const kept = new Map();  // pictures that were shown lately are not read twice
 function picture(item) {
-  if (!item.files.includes('thumbnail.png')) return element('span', item.error || 'no picture', {class: 'none'});
+  const file = shownFile(item);
+  if (!file) return element('span', item.error || 'no picture', {class: 'none'});
   if (!kept.has(item.number)) {
     if (kept.size > 2000) kept.clear();
     kept.set(
-      item.number,
-      element('img', '', {loading: 'lazy', decoding: 'async', alt: item.template, src: href(item, 'thumbnail.png')}));
+      item.number, element('img', '', {loading: 'lazy', decoding: 'async', alt: item.template, src: href(item, file)}));
   }
   return kept.get(item.number);
 }
@@ -127,11 +129,7 @@ function show() {
   else line('pieces', `${item.pieces}, ${amount(item.volume)} together`);
   line('files', ...[...item.files, 'item.json'].flatMap(file => [element('a', file, {href: href(item, file)}), ' ']));
   about.replaceChildren(
-    ...(
-      item.files.includes('thumbnail.png')
-        ? [element('img', '', {src: href(item, 'thumbnail.png'), alt: item.template})]
-        : []),
-    list);
+    ...(shownFile(item) ? [element('img', '', {src: href(item, shownFile(item)), alt: item.template})] : []), list);
   if (!about.open) about.showModal();
 }
 

@@ -21,4 +21,7 @@ enum class FileCheck { lengths, hashes };
 std::optional<FinishedItem> finished_item(const std::filesystem::path& folder, const std::string& item,
                                           FileCheck check = FileCheck::lengths);
 
+/// The same of an item that lies in this very folder, whatever place it names.
+std::optional<FinishedItem> finished_item_at(const std::filesystem::path& folder, FileCheck check);
+
 }  // namespace pomona

@@ -7,6 +7,7 @@
 #include "generator/base/error.h"
 #include "generator/base/sha256.h"
 #include "generator/batch/item_record.h"
+#include "generator/mesh/box.h"
 #include "generator/scene/lay_out.h"
 #include "render/deliver/deliver.h"
 #include "render/deliver/export_options.h"
@@ -21,15 +22,6 @@ namespace pomona {
 namespace {
 
 constexpr Threads alone{1};  ///< an item is made by one thread; a batch makes many
-
-/// The template as the entry calls it.
-std::string source_of(const BatchPlan& plan, const BatchVariant& which) {
-  const PlannedEntry& entry = plan.entries[which.entry];
-  const auto at = std::find(entry.templates.begin(), entry.templates.end(), which.fruit) - entry.templates.begin();
-  const auto number = static_cast<std::size_t>(at);
-  const std::vector<TemplateWanted>& wanted = entry.wanted.templates;
-  return number < wanted.size() ? source_word(wanted[number].name) : plan.templates[which.fruit].name;
-}
 
 /// A thumbnail shows the pieces elsewhere; their meshes are the same, but for a peel that hangs.
 std::string thumbnail(const Scene& scene, const std::vector<StyledMesh>& meshes, const AssetOptions& assets,
@@ -48,6 +40,48 @@ struct MadePieces {
   std::vector<std::string> warnings;
 };
 
+/// What the same files show: all pieces, or one of them.
+struct FileSet {
+  Scene scene;
+  std::vector<RipenessVariant> variants;
+  Order order;
+};
+
+/// One piece alone, in files with its number: kiwi-2.glb.
+FileSet set_of_piece(const Scene& all, std::size_t number, const std::vector<RipenessVariant>& variants, Order order) {
+  FileSet set{gathered({all.solids[number]}), {}, std::move(order)};
+  set.scene.paper = all.paper;
+  for (const RipenessVariant& riper : variants) set.variants.push_back({riper.name, {riper.pieces[number]}});
+  for (Output& output : set.order.outputs)
+    output.file = output.file.stem().string() + "-" + std::to_string(number + 1) + output.file.extension().string();
+  return set;
+}
+
+/// Moves the only piece along the ground, until the middle of its box is above the origin.
+void move_to_origin(Scene& scene) {
+  Instance& instance = scene.instances.front();
+  Box<double> box;
+  for (const glm::vec3& p : scene.solids.front().mesh.position)
+    box.add(instance.pose.rotation * glm::dvec3(p) + instance.pose.translation);
+  instance.pose.translation -= glm::dvec3(box.center().x, 0, box.center().z);
+}
+
+std::vector<FileSet> file_sets(const Scene& all, std::vector<RipenessVariant> variants, const Order& order,
+                               const AssetOptions& assets) {
+  std::vector<FileSet> sets;
+  if (!assets.apart) sets.push_back({all, std::move(variants), order});
+  for (std::size_t i = 0; assets.apart && i < all.solids.size(); ++i)
+    sets.push_back(set_of_piece(all, i, variants, order));
+  for (FileSet& set : sets) {
+    if (!assets.on_table) continue;
+    const Color paper = set.scene.paper;
+    set.scene = laid_out(set.scene, 1);
+    set.scene.paper = paper;
+    if (assets.apart) move_to_origin(set.scene);
+  }
+  return sets;
+}
+
 MadePieces made_pieces(const OrderedFruit& fruit, const Template& drawn, const Order& order, const AssetOptions& assets,
                        const EntryStyles& styles) {
   const DeliverOptions how{
@@ -56,8 +90,7 @@ MadePieces made_pieces(const OrderedFruit& fruit, const Template& drawn, const O
   Delivered delivered = live_files({&fruit, 1}, order, how);
   Slices slices = cut_to_order(fruit, order, diffuser.get());
   StageClock times;
-  const std::vector<RipenessVariant> variants =
-      ripeness_variants(slices.pieces, fruit, drawn, order, diffuser.get(), times);
+  std::vector<RipenessVariant> variants = ripeness_variants(slices.pieces, fruit, drawn, order, diffuser.get(), times);
   MadePieces made{gathered(std::move(slices.pieces)), {}, std::move(slices.warnings)};
   made.scene.paper = styles.drawn.paper;
 
@@ -65,7 +98,14 @@ MadePieces made_pieces(const OrderedFruit& fruit, const Template& drawn, const O
   const ExportOptions options = export_options(order, how);
   const std::vector<StyledMesh> meshes =
       assets.thumbnail > 0 ? styled_meshes(made.scene, options) : std::vector<StyledMesh>();
-  delivered.add(piece_files({.placed = made.scene, .variants = variants, .meshes = meshes}, fruit, order, how));
+  const bool as_grown = !assets.on_table && !assets.apart;
+  for (const FileSet& set : file_sets(made.scene, std::move(variants), order, assets)) {
+    delivered.add(
+        piece_files({.placed = set.scene,
+                     .variants = set.variants,
+                     .meshes = as_grown ? std::span<const StyledMesh>(meshes) : std::span<const StyledMesh>()},
+                    fruit, set.order, how));
+  }
   for (DeliveredFile& one : delivered.files) made.files.push_back({one.file.path.string(), std::move(one.file.bytes)});
   if (assets.thumbnail > 0) made.files.push_back({"thumbnail.png", thumbnail(made.scene, meshes, assets, options)});
   made.warnings.insert(made.warnings.end(), delivered.warnings.begin(), delivered.warnings.end());
@@ -86,11 +126,6 @@ OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, co
   OrderedFruit fruit = ordered_fruit(variation, plan.templates[which.fruit].name, source_of(plan, which), order);
   fruit.origin.growing.threads = {};
   return fruit;
-}
-
-std::string reason_of(const std::exception& error) {
-  if (const auto* told = dynamic_cast<const Error*>(&error)) return told->diagnostics().front().message;
-  return std::string("this is a bug in pomona: ") + error.what();
 }
 
 MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const OrderedFruit* grown,

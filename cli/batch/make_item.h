@@ -6,17 +6,11 @@
 #include <vector>
 
 #include "cli/batch/entry_styles.h"
+#include "cli/batch/item_work.h"
 #include "generator/batch/batch_plan.h"
 #include "generator/order/ordered_fruit.h"
-#include "render/export/named_file.h"
 
 namespace pomona {
-
-struct MadeItem {
-  std::string item;              ///< its folder: "halves/042"
-  std::vector<NamedFile> files;  ///< item.json is the last
-  std::string error;             ///< why it could not be made; then item.json is all there is
-};
 
 /// One individual, for all items that are made of it.
 OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, const BatchVariant& which);
@@ -25,9 +19,6 @@ OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, co
 /// \throws what says that memory or threads ran out (exhausted.h): another time there may be enough.
 MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const OrderedFruit* grown,
                    const std::string& growing_error, const BatchItem& item, const EntryStyles& styles);
-
-/// What went wrong, in words that are the same each time.
-std::string reason_of(const std::exception& error);
 
 /// An estimate of the memory that an item takes while it is made, bytes. docs/guides/batch.md says what it rests on.
 std::uint64_t memory_of_an_item(const PlannedEntry& entry);

@@ -10,90 +10,64 @@
 #include <utility>
 
 #include "cli/batch/finished_item.h"
-#include "cli/batch/make_item.h"
 #include "cli/batch/memory_budget.h"
 #include "cli/deliver/ending_signals.h"
 #include "cli/exhausted.h"
 #include "generator/base/error.h"
 #include "generator/base/stop_watch.h"
+#include "generator/batch/item_record.h"
 
 namespace pomona {
 
 namespace {
 
+/// The items of one variant.
+struct VariantItems {
+  std::size_t entry = 0;
+  std::int64_t first = 0, end = 0;  ///< numbers of its items
+};
+
 /// The shard's variants: every count-th of all.
 class VariantsOfShard {
  public:
-  VariantsOfShard(const BatchPlan& plan, const Shard& shard) : shard_(shard), all_(plan.variants()) {}
+  VariantsOfShard(const std::vector<RecordedEntry>& entries, const Shard& shard) : entries_(entries), shard_(shard) {
+    for (const RecordedEntry& entry : entries) all_ += entry.items / entry.items_of_a_variant;
+  }
 
   std::size_t size() const { return static_cast<std::size_t>((all_ - shard_.number + shard_.count) / shard_.count); }
-  /// Its number among all variants of the batch.
-  std::int64_t operator[](std::size_t i) const {
-    return shard_.number - 1 + static_cast<std::int64_t>(i) * shard_.count;
+  VariantItems operator[](std::size_t i) const {
+    std::int64_t index = shard_.number - 1 + static_cast<std::int64_t>(i) * shard_.count;
+    for (std::size_t entry = 0;; ++entry) {
+      const std::int64_t of_each = entries_[entry].items_of_a_variant, variants = entries_[entry].items / of_each;
+      if (index < variants) return {entry, index * of_each, (index + 1) * of_each};
+      index -= variants;
+    }
   }
 
  private:
+  const std::vector<RecordedEntry>& entries_;
   Shard shard_;
-  std::int64_t all_;
-};
-
-std::string path_of(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
-  const PlannedEntry& entry = plan.entries[variant.entry];
-  return item_path(entry.wanted.name, entry.items(), item.number);
-}
-
-/// Templates made ready for their variants when the first of these is wanted: a share of a batch, or what is left of
-/// it, may need few of them.
-class ReadyTemplates {
- public:
-  /// One of them, or why it cannot be made ready.
-  struct Ready {
-    std::optional<Variation> variation;
-    std::string error;
-  };
-
-  explicit ReadyTemplates(const BatchPlan& plan)
-      : plan_(plan), once_(plan.templates.size()), ready_(plan.templates.size()) {}
-
-  /// By any thread; the others wait for the one that makes it.
-  const Ready& of(std::size_t fruit) {
-    std::call_once(once_[fruit], [&] {
-      try {
-        ready_[fruit].variation.emplace(plan_.templates[fruit].fruit);
-      } catch (const std::exception& error) {
-        if (exhausted(error)) throw;  // the next one tries again
-        ready_[fruit].error = reason_of(error);
-      }
-    });
-    return ready_[fruit];
-  }
-
- private:
-  const BatchPlan& plan_;
-  std::vector<std::once_flag> once_;
-  std::vector<Ready> ready_;
+  std::int64_t all_ = 0;
 };
 
 class Run {
  public:
-  Run(const BatchPlan& plan, const std::vector<EntryStyles>& styles, Workplace& workplace, const RunOptions& options,
-      Progress& progress)
-      : plan_(plan),
-        styles_(styles),
+  Run(ItemWork& work, Workplace& workplace, const RunOptions& options, Progress& progress)
+      : work_(work),
+        entries_(work.entries()),
         workplace_(workplace),
         progress_(progress),
         check_(options.check),
-        budget_(options.memory),
-        ready_(plan) {
-    const VariantsOfShard variants(plan, options.shard);
-    for (std::size_t i = 0; i < variants.size(); ++i)
-      tally_.total += plan.entries[variant_at(plan, variants[i]).entry].items_of_a_variant;
+        has_aside_(workplace.has_aside()),
+        budget_(options.memory) {
+    const VariantsOfShard variants(entries_, options.shard);
+    for (std::size_t i = 0; i < variants.size(); ++i) tally_.total += entries_[variants[i].entry].items_of_a_variant;
   }
 
   RunReport all(const RunOptions& options) {
-    const VariantsOfShard numbers(plan_, options.shard);
+    const VariantsOfShard variants(entries_, options.shard);
     tell();
-    parallel_for(numbers.size(), options.threads, [&](std::size_t i) { make_variant(numbers[i]); });
+    parallel_for(variants.size(), options.threads, [&](std::size_t i) { make_variant(variants[i]); });
     signals_.forget();  // what they ask for is done: no further item was begun
     if (interrupted_)
       throw Error(ExitStatus::locked, "interrupted, with " + progress_text(tally_), "--resume goes on from here");
@@ -108,86 +82,79 @@ class Run {
   }
 
  private:
-  /// All items of one individual that are not there yet. What cannot be written ends the run, and nothing else is
-  /// begun.
-  void make_variant(std::int64_t number) {
+  /// All items of one variant that are not there yet. What cannot be written ends the run, and nothing else is begun.
+  void make_variant(const VariantItems& variant) {
     if (stopped_ || interrupted_) return;
     if (signals_.any()) {
       interrupted_ = true;
       return;
     }
     try {
-      const BatchVariant which = variant_at(plan_, number);
-      const std::vector<BatchItem> missing = without_finished(which, items_of(plan_.entries[which.entry], which));
-      if (!missing.empty()) make_items(number, which, missing);
+      const std::vector<std::int64_t> missing = without_finished(variant);
+      if (!missing.empty()) make_items(variant.entry, missing);
     } catch (...) {
       stopped_ = true;
       throw;
     }
   }
 
-  std::vector<BatchItem> without_finished(const BatchVariant& which, const std::vector<BatchItem>& items) {
-    std::vector<BatchItem> missing;
-    for (const BatchItem& item : items) {
-      const auto found = finished_item(workplace_.folder(), path_of(plan_, which, item), check_);
-      if (!found || !found->facts.error.empty()) missing.push_back(item);
+  std::vector<std::int64_t> without_finished(const VariantItems& variant) {
+    std::vector<std::int64_t> missing;
+    for (std::int64_t number = variant.first; number < variant.end; ++number) {
+      const auto found = finished_item(workplace_.folder(), path_of(entries_[variant.entry], number), check_);
+      const bool is_there = found && found->facts.error.empty();
+      if (!is_there && !taken_from_aside(variant.entry, number)) missing.push_back(number);
     }
     const std::lock_guard lock(mutex_);
-    tally_.found += static_cast<std::int64_t>(items.size() - missing.size());
+    tally_.found += variant.end - variant.first - std::ssize(missing);
     return missing;
   }
 
-  void make_items(std::int64_t number, const BatchVariant& which, const std::vector<BatchItem>& items) {
-    const MemoryBudget::Loan memory(budget_, memory_of_an_item(plan_.entries[which.entry]));
+  /// Puts the item that an update has set aside into its place, if it is whole.
+  bool taken_from_aside(std::size_t entry, std::int64_t number) {
+    if (!has_aside_) return false;
+    const std::string recipe = work_.recipe(entry, number);
+    const auto aside = workplace_.aside(recipe);
+    if (!aside) return false;
+    const auto found = finished_item_at(*aside, check_);
+    if (!found || !found->facts.error.empty()) return false;
+    const RecordedEntry& place = entries_[entry];
+    return workplace_.put_aside_item(recipe, path_of(place, number),
+                                     {"item.json", moved_record(found->record, place.name, place.items, number)});
+  }
+
+  void make_items(std::size_t entry, std::span<const std::int64_t> numbers) {
+    const MemoryBudget::Loan memory(budget_, work_.memory_of_an_item(entry));
     std::size_t done = 0;
     try {
-      const GrownOrNot fruit = grown(which);
-      for (; done < items.size(); ++done) {
-        const MadeItem made = make_item(plan_, which, fruit.grown ? &*fruit.grown : nullptr, fruit.error, items[done],
-                                        styles_[which.entry]);
+      work_.make(entry, numbers, [&](const MadeItem& made) {
         workplace_.put_item(made.item, made.files);
-        note(number, items[done], made);
-      }
+        note({entry, numbers[done++]}, made);
+      });
     } catch (const std::exception& failure) {
       const std::optional<std::string> lack = exhausted(failure);
       if (!lack) throw;
-      note_lack(which, std::span(items).subspan(done), *lack);
-    }
-  }
-
-  struct GrownOrNot {
-    std::optional<OrderedFruit> grown;
-    std::string error;
-  };
-
-  GrownOrNot grown(const BatchVariant& which) {
-    const ReadyTemplates::Ready& ready = ready_.of(which.fruit);
-    if (!ready.variation) return {{}, ready.error};
-    try {
-      return {grown_variant(plan_, *ready.variation, which), {}};
-    } catch (const std::exception& failure) {
-      if (exhausted(failure)) throw;
-      return {{}, reason_of(failure)};
+      note_lack(entry, numbers.subspan(done), *lack);
     }
   }
 
   /// What memory or threads did not suffice for is no item that failed: it stays missing, and the next run tries it.
-  void note_lack(const BatchVariant& which, std::span<const BatchItem> items, const std::string& lack) {
+  void note_lack(std::size_t entry, std::span<const std::int64_t> numbers, const std::string& lack) {
     {
       const std::lock_guard lock(mutex_);
-      left_ += items.size();
+      left_ += numbers.size();
       lack_ = lack;
     }
-    for (const BatchItem& item : items) progress_.error(path_of(plan_, which, item) + ": error: " + lack);
+    for (const std::int64_t number : numbers) progress_.error(path_of(entries_[entry], number) + ": error: " + lack);
   }
 
-  void note(std::int64_t variant, const BatchItem& item, const MadeItem& made) {
+  void note(std::pair<std::size_t, std::int64_t> place, const MadeItem& made) {
     {
       const std::lock_guard lock(mutex_);
       ++tally_.made;
       if (!made.error.empty()) {
         ++tally_.failed;
-        failed_.push_back({{variant, item.number}, {made.item, made.error}});
+        failed_.push_back({place, {made.item, made.error}});
       }
     }
     if (!made.error.empty()) progress_.error(made.item + ": error: " + made.error);
@@ -205,14 +172,14 @@ class Run {
                           progress_text(now));
   }
 
-  const BatchPlan& plan_;
-  const std::vector<EntryStyles>& styles_;  // of each entry
+  ItemWork& work_;
+  std::vector<RecordedEntry> entries_;
   Workplace& workplace_;
   Progress& progress_;
   HeldSignals signals_;
   FileCheck check_;
+  bool has_aside_;
   MemoryBudget budget_;
-  ReadyTemplates ready_;
   StopWatch watch_;
   std::atomic<bool> stopped_ = false, interrupted_ = false;
 
@@ -220,23 +187,23 @@ class Run {
   Tally tally_;
   std::size_t left_ = 0;  // items that are missing for lack of memory or threads
   std::string lack_;
-  std::vector<std::pair<std::pair<std::int64_t, std::int64_t>, FailedItem>> failed_;
+  std::vector<std::pair<std::pair<std::size_t, std::int64_t>, FailedItem>> failed_;
 };
 
 }  // namespace
 
-RunReport run_batch(const BatchPlan& plan, const std::vector<EntryStyles>& styles, Workplace& workplace,
-                    const RunOptions& options, Progress& progress) {
-  return Run(plan, styles, workplace, options, progress).all(options);
+RunReport run_batch(ItemWork& work, Workplace& workplace, const RunOptions& options, Progress& progress) {
+  return Run(work, workplace, options, progress).all(options);
 }
 
-bool has_any_item(const BatchPlan& plan, const std::filesystem::path& folder, const Shard& shard) {
-  const VariantsOfShard variants(plan, shard);
+bool has_any_item(const ItemWork& work, const std::filesystem::path& folder, const Shard& shard) {
+  const std::vector<RecordedEntry> entries = work.entries();
+  const VariantsOfShard variants(entries, shard);
   for (std::size_t i = 0; i < variants.size(); ++i) {
-    const BatchVariant variant = variant_at(plan, variants[i]);
-    for (const BatchItem& item : items_of(plan.entries[variant.entry], variant)) {
+    const VariantItems variant = variants[i];
+    for (std::int64_t number = variant.first; number < variant.end; ++number) {
       std::error_code ignored;
-      if (std::filesystem::exists(folder / path_of(plan, variant, item), ignored)) return true;
+      if (std::filesystem::exists(folder / path_of(entries[variant.entry], number), ignored)) return true;
     }
   }
   return false;

@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/batch/entry_styles.h"
 #include "cli/batch/finished_item.h"
+#include "cli/batch/item_work.h"
 #include "cli/batch/tally.h"
 #include "cli/batch/workplace.h"
 #include "cli/deliver/progress.h"
 #include "generator/base/parallel.h"
-#include "generator/batch/batch_plan.h"
 
 namespace pomona {
 
@@ -35,10 +34,9 @@ struct RunReport {
 /// \throws Error (cannot_create, io_error) if something cannot be written, (locked) if it was ended by a signal,
 /// (out_of_memory) if memory or threads did not suffice for items, which then are missing. What
 /// is whole by then stays.
-RunReport run_batch(const BatchPlan& plan, const std::vector<EntryStyles>& styles, Workplace& workplace,
-                    const RunOptions& options, Progress& progress);
+RunReport run_batch(ItemWork& work, Workplace& workplace, const RunOptions& options, Progress& progress);
 
 /// Whether any item of the shard is there.
-bool has_any_item(const BatchPlan& plan, const std::filesystem::path& folder, const Shard& shard);
+bool has_any_item(const ItemWork& work, const std::filesystem::path& folder, const Shard& shard);
 
 }  // namespace pomona

@@ -21,6 +21,10 @@ std::string record_of(const BatchPlan& plan);
 /// \throws Error (cannot_create) saying in what they differ, if the folder holds another batch.
 void check_holds_no_other(const std::filesystem::path& folder, const std::string& there, const std::string& wanted);
 
+/// As check_holds_no_other(), but refuses only a batch of another name, and what is no batch.
+void check_holds_no_other_name(const std::filesystem::path& folder, const std::string& there,
+                               const std::string& wanted);
+
 /// The styles of each entry. \throws Error as find_style()
 std::vector<EntryStyles> styles_of(const BatchPlan& plan);
 

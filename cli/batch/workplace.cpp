@@ -57,7 +57,7 @@ fs::path without_slash(fs::path folder) { return folder.has_filename() ? folder 
 }  // namespace
 
 Workplace::Workplace(fs::path folder, const Shard& shard)
-    : folder_(without_slash(std::move(folder))), hidden_(folder_ / ".pomona") {
+    : folder_(without_slash(std::move(folder))), hidden_(folder_ / ".pomona"), aside_(hidden_ / "aside") {
   const std::string part = std::to_string(shard.number) + "-of-" + std::to_string(shard.count);
   lock_name_ = part + ".lock";
   staging_ = hidden_ / part;
@@ -72,7 +72,7 @@ Workplace::Workplace(fs::path folder, const Shard& shard)
   fs::remove_all(staging_, failed);
   if (shard.count == 1) {
     for (const fs::directory_entry& entry : fs::directory_iterator(hidden_, failed))
-      if (entry.is_directory(failed)) fs::remove_all(entry.path(), failed);
+      if (entry.is_directory(failed) && entry.path() != aside_) fs::remove_all(entry.path(), failed);
   }
   make_folder(staging_);
 }
@@ -82,6 +82,7 @@ Workplace::~Workplace() {
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
   ::unlink((hidden_ / lock_name_).c_str());
+  if (has_aside()) return;
   if (::flock(whole_->number(), LOCK_EX | LOCK_NB) == 0) fs::remove_all(hidden_, ignored);
 }
 
@@ -92,24 +93,86 @@ void Workplace::make_folders(const std::string& item) {
     make_folder(folder_ / item.substr(0, slash));
 }
 
-void Workplace::put_item(const std::string& item, std::span<const NamedFile> files) {
-  // All of it, down to the disk, where nobody looks.
-  const fs::path made = new_place(), place = folder_ / item;
-  make_folder(made);
-  for (const NamedFile& file : files) {
-    Descriptor opened = create_file(made / file.name, place / file.name);
-    if (!opened.is_open()) fail_at(ExitStatus::cannot_create, place / file.name, "cannot be created", EEXIST);
-    write_all(opened, file.bytes, place / file.name);
-    bring_to_disk(opened, place / file.name);
-  }
-  sync_folder(made);
+void Workplace::remove_empty_folders(const std::string& item) {
+  for (std::size_t slash = item.rfind('/'); slash != std::string::npos && slash > 0; slash = item.rfind('/', slash - 1))
+    if (::rmdir((folder_ / item.substr(0, slash)).c_str()) != 0) return;  // another item is in it
+}
 
-  // Into its place, from which an item that failed or is not whole goes away.
+void Workplace::put_file_of(const std::string& item, const fs::path& made, const NamedFile& file) {
+  const fs::path meant = folder_ / item / file.name;
+  Descriptor opened = create_file(made / file.name, meant);
+  if (!opened.is_open()) fail_at(ExitStatus::cannot_create, meant, "cannot be created", EEXIST);
+  write_all(opened, file.bytes, meant);
+  bring_to_disk(opened, meant);
+}
+
+/// From an item that failed or is not whole, its place is free first.
+void Workplace::put_in_place(const fs::path& made, const std::string& item) {
+  const fs::path place = folder_ / item;
+  sync_folder(made);
   make_folders(item);
   std::error_code failed;
   fs::remove_all(place, failed);
   move_into_place(made, place);
   sync_folder(place.parent_path());
+}
+
+void Workplace::put_item(const std::string& item, std::span<const NamedFile> files) {
+  // All of it, down to the disk, where nobody looks.
+  const fs::path made = new_place();
+  make_folder(made);
+  for (const NamedFile& file : files) put_file_of(item, made, file);
+  put_in_place(made, item);
+}
+
+void Workplace::set_aside(const std::string& item, const std::string& recipe) {
+  make_folder(aside_);
+  if (aside(recipe)) return remove_item(item);
+  move_into_place(folder_ / item, aside_ / recipe);
+  sync_folder(aside_);
+  remove_empty_folders(item);
+}
+
+bool Workplace::has_aside() const {
+  std::error_code failed;
+  return fs::exists(aside_, failed);
+}
+
+std::optional<fs::path> Workplace::aside(const std::string& recipe) const {
+  std::error_code failed;
+  if (recipe.empty() || !fs::is_directory(aside_ / recipe, failed)) return {};
+  return aside_ / recipe;
+}
+
+bool Workplace::put_aside_item(const std::string& recipe, const std::string& item, const NamedFile& record) {
+  const fs::path made = new_place();
+  if (::rename((aside_ / recipe).c_str(), made.c_str()) != 0) return false;
+  std::error_code failed;
+  fs::remove(made / record.name, failed);
+  put_file_of(item, made, record);
+  put_in_place(made, item);
+  return true;
+}
+
+void Workplace::remove_item(const std::string& item) {
+  const fs::path gone = new_place();
+  move_into_place(folder_ / item, gone);
+  std::error_code ignored;
+  fs::remove_all(gone, ignored);
+  remove_empty_folders(item);
+}
+
+void Workplace::remove_aside() {
+  if (!has_aside()) return;
+  std::error_code failed;
+  fs::remove_all(aside_, failed);
+  if (failed) fail_at(ExitStatus::io_error, aside_, "cannot be removed", failed.value());
+}
+
+void Workplace::remove_file(const std::string& name) {
+  if (::unlink((folder_ / name).c_str()) != 0 && errno != ENOENT)
+    fail_at(ExitStatus::cannot_create, folder_ / name, "cannot be removed", errno);
+  sync_folder(folder_);
 }
 
 void Workplace::put_file(const std::string& name, const std::function<void(const Writer&)>& write) {

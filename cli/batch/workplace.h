@@ -22,7 +22,7 @@ struct Shard {
 /// Everything temporary lies in FOLDER/.pomona: a lock for the folder, which shards share and other runs have alone; a
 /// lock for each shard; and a folder of each shard, in which its items are made. Locks are the kernel's (flock): they
 /// end with the process that holds them. What a killed run has left there is removed by the next run of the same shard,
-/// and by a run that has the folder alone.
+/// and by a run that has the folder alone; but for items set aside, which stay until the batch is whole.
 class Workplace {
  public:
   /// Makes the folder if it is not there. \throws Error (locked) if another run is at work on the same items,
@@ -38,6 +38,26 @@ class Workplace {
   /// \throws Error (cannot_create, io_error)
   void put_item(const std::string& item, std::span<const NamedFile> files);
 
+  /// Sets a finished item aside, for whoever is to be made by the same recipe. One that is aside already stays.
+  void set_aside(const std::string& item, const std::string& recipe);
+
+  bool has_aside() const;
+
+  /// Where the item of this recipe lies aside, if one does.
+  std::optional<std::filesystem::path> aside(const std::string& recipe) const;
+
+  /// Puts the item that is aside into its new place, with this record. Returns false if another thread was faster.
+  bool put_aside_item(const std::string& recipe, const std::string& item, const NamedFile& record);
+
+  /// Removes an item, whole or not at all, and the folders that it leaves empty.
+  void remove_item(const std::string& item);
+
+  /// Removes what nobody has asked for.
+  void remove_aside();
+
+  /// Removes a file of the folder, if it is there.
+  void remove_file(const std::string& name);
+
   /// Writes the file `name` of the folder as `write` asks for it, piece by piece; whole or not at all.
   using Writer = std::function<void(std::string_view)>;
   void put_file(const std::string& name, const std::function<void(const Writer&)>& write);
@@ -45,8 +65,11 @@ class Workplace {
  private:
   std::filesystem::path new_place();
   void make_folders(const std::string& item);
+  void remove_empty_folders(const std::string& item);
+  void put_file_of(const std::string& item, const std::filesystem::path& made, const NamedFile& file);
+  void put_in_place(const std::filesystem::path& made, const std::string& item);
 
-  std::filesystem::path folder_, hidden_, staging_;
+  std::filesystem::path folder_, hidden_, staging_, aside_;
   std::string lock_name_;
   std::optional<Descriptor> whole_, own_;
   std::atomic<std::uint64_t> next_ = 0;

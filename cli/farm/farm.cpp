@@ -11,6 +11,7 @@
 #include "cli/batch/sizes.h"
 #include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
+#include "cli/data/wanted_data.h"
 #include "cli/farm/farm_folder.h"
 #include "cli/farm/farm_job.h"
 #include "cli/farm/farm_status.h"
@@ -20,6 +21,7 @@
 #include "cli/options/program_folders.h"
 #include "generator/base/error.h"
 #include "generator/base/shell_words.h"
+#include "generator/data/data_file.h"
 #include "render/export/output.h"
 
 namespace pomona {
@@ -58,13 +60,16 @@ fs::path normal(const fs::path& path) {
 /// Reports once what each task would report: a bad batch, another batch's folder.
 FarmJob job_for(const JobOptions& options) {
   parse_memory(options.memory);
+  const fs::path file = normal(find_file("scenes", options.batch, "batch"));
+  const bool is_data = is_data_file(file);
   const FarmJob job{.program = options.program.empty() ? this_program() : fs::path(options.program),
-                    .batch = normal(find_file("scenes", options.batch, "batch")),
+                    .batch = file,
+                    .makes = is_data ? "data" : "batch",
                     .output = normal(options.output),
                     .works_in = fs::current_path(),
                     .tasks = options.tasks,
                     .memory = options.memory};
-  const std::string wanted = record_of(wanted_batch(job.batch));
+  const std::string wanted = is_data ? record_of(wanted_data(file)) : record_of(wanted_batch(file));
   check_holds_no_other(job.output, batch_record_in(job.output), wanted);
   return job;
 }
@@ -152,7 +157,9 @@ ExitStatus print_status(const StatusCommand& command) {
 }
 
 void declare_job(CLI::App& command, JobOptions& options) {
-  command.add_option("BATCH", options.batch, "A name from `pomona list --batches`, or a batch file (.toml)")
+  command
+      .add_option("BATCH", options.batch,
+                  "A name from `pomona list --batches`, or a file of a batch or data set (.toml)")
       ->required();
   command.add_option("-o,--output", options.output, "The folder to make the batch in, for all machines the same")
       ->type_name("FOLDER")

@@ -17,7 +17,7 @@ void check_fits_a_line(const std::filesystem::path& path) {
 }  // namespace
 
 std::string shard_command(const FarmJob& job, const std::string& share, const std::string& threads) {
-  const std::string words[] = {job.program, "batch", job.batch, "-o", job.output};
+  const std::string words[] = {job.program, job.makes, job.batch, "-o", job.output};
   std::string command = shell_line(words) + " --shard " + share + " --resume --threads " + threads;
   if (!job.memory.empty()) command += " --memory " + shell_quoted(job.memory);
   return command;

@@ -10,7 +10,8 @@ namespace pomona {
 /// All paths are absolute, and mean the same on every machine.
 struct FarmJob {
   std::filesystem::path program;   ///< pomona
-  std::filesystem::path batch;     ///< the batch file
+  std::filesystem::path batch;     ///< the file of the batch or data set
+  std::string makes = "batch";     ///< the command that makes it: "batch" or "data"
   std::filesystem::path output;    ///< the batch's folder
   std::filesystem::path works_in;  ///< the folder from which the batch names templates
   int tasks = 1;                   ///< shards

@@ -5,6 +5,7 @@
 #include "generator/base/error.h"
 #include "generator/base/small_ending.h"
 #include "generator/batch/batch_file.h"
+#include "generator/data/data_file.h"
 #include "generator/scene/scene_file.h"
 #include "generator/text/toml_text.h"
 #include "render/style/style_file.h"
@@ -13,6 +14,7 @@ namespace pomona {
 
 FileKind kind_of(const std::filesystem::path& file) {
   if (is_batch_file(file)) return FileKind::batch;
+  if (is_data_file(file)) return FileKind::data;
   if (is_scene_file(file)) return FileKind::scene;
   if (is_style_file(file)) return FileKind::style;
   return has_toml_heading(file, {"[symmetry]", "[[surface]]", "[surface.", "[[mesh]]"}) ? FileKind::fruit
@@ -33,6 +35,7 @@ void check_kind(const std::filesystem::path& file, FileKind wanted) {
   if (found == FileKind::fruit) refuse("is a template", "pomona grow and pomona cut take templates");
   if (found == FileKind::scene) refuse("is a scene", "pomona scene takes scenes");
   if (found == FileKind::batch) refuse("is a batch", "pomona batch takes batches");
+  if (found == FileKind::data) refuse("is a data set", "pomona data takes data sets");
   refuse("is a style", "--style takes styles");
 }
 

@@ -5,7 +5,7 @@
 
 namespace pomona {
 
-enum class FileKind { fruit, scene, batch, style, other };
+enum class FileKind { fruit, scene, batch, data, style, other };
 
 /// The kind by its headings; `other` for all other files.
 FileKind kind_of(const std::filesystem::path& file);

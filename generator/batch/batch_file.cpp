@@ -90,6 +90,8 @@ AssetOptions read_assets(const TomlTable& table, AssetOptions assets, const std:
     table.get("thumbnail").error("is below 16 pixels", "0 draws none");
   assets.thumbnail_on_paper =
       table.get("thumbnail_ground").choice({"transparent", "paper"}, assets.thumbnail_on_paper ? 1 : 0) == 1;
+  assets.on_table = table.get("layout").choice({"grown", "table"}, assets.on_table ? 1 : 0) == 1;
+  assets.apart = table.get("pieces").choice({"together", "apart"}, assets.apart ? 1 : 0) == 1;
   return assets;
 }
 

@@ -35,6 +35,8 @@ struct AssetOptions {
   Order order = usual_batch_order();  ///< all other options, which do not multiply
   int thumbnail = 0;                  ///< pixels along its edge; 0 = none
   bool thumbnail_on_paper = false;
+  bool on_table = false;  ///< pieces lie as pictures show them, side by side with their cut faces up
+  bool apart = false;     ///< each piece has files of its own
 };
 
 /// Everything that is a list multiplies, but for the formats.

@@ -4,37 +4,18 @@
 #include <utility>
 #include <variant>
 
+#include "generator/base/file_bytes.h"
 #include "generator/base/random.h"
-#include "generator/base/small_ending.h"
+#include "generator/base/sha256.h"
 #include "generator/batch/batch_limits.h"
-#include "generator/batch/template_hash.h"
-#include "generator/template/read/read_template.h"
+#include "generator/knife/knife_kinds.h"
+#include "generator/piece/piece_origin.h"
 
 namespace pomona {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The file behind a name; a fault is reported at the name's place in the batch.
-fs::path template_file(const TemplateWanted& wanted, const TemplateSource& source) {
-  try {
-    const fs::path file = source.find(wanted.name);
-    if (small_ending(file) != ".ply") return file;
-  } catch (const Error& error) {
-    const Diagnostic& what = error.diagnostics().front();
-    throw Error(error.status(), {{wanted.place, what.message, what.hint}});
-  }
-  throw Error(ExitStatus::bad_data, {{wanted.place, "\"" + wanted.name + "\" holds surfaces, which have no variants",
-                                      "a template takes them as a [[mesh]] (docs/guides/import.md)"}});
-}
-
-std::vector<fs::path> template_files(const BatchEntry& entry, const TemplateSource& source) {
-  if (entry.all_templates) return source.all();
-  std::vector<fs::path> files;
-  for (const TemplateWanted& wanted : entry.templates) files.push_back(template_file(wanted, source));
-  return files;
-}
 
 /// Counts with a limit, so that no product is too large for its type.
 std::int64_t product(std::initializer_list<std::size_t> factors) {
@@ -81,20 +62,37 @@ void check_fits(const BatchEntry& entry, const PlannedTemplate& found) {
     refuse("does not say how it turns brown");
 }
 
-/// The index of the template in the file, read unless it has been.
-std::size_t index_of(const fs::path& file, std::vector<fs::path>& known, std::vector<PlannedTemplate>& templates) {
-  const auto found = std::find(known.begin(), known.end(), file);
-  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
-  known.push_back(file);
-  templates.push_back({file.stem().string(), template_hash(file), read_template(file)});
-  return templates.size() - 1;
-}
-
 /// A seed of its own for each new variant: a pure function of the batch's seed, the entry's name and the number. 53
 /// bits, so that every reader of JSON has it exactly; never 0, which is the fruit as drawn.
 std::uint64_t new_seed(std::uint64_t batch_seed, const std::string& entry, std::int64_t number) {
   const RandomStream seeds({batch_seed, static_cast<std::uint64_t>(number)}, "batch/entry/" + entry);
   return std::max<std::uint64_t>(1, seeds.bits(0) >> 11);
+}
+
+constexpr std::size_t max_drawing = std::size_t{64} << 20;  // bytes; read_stroke.h reads no larger ones
+
+/// The hashes of the files that knives name ("stroke:strokes.svg#wave").
+void hash_drawings(BatchPlan& plan) {
+  for (const BatchEntry& entry : plan.batch.entries) {
+    for (const std::vector<Knife>& knives : entry.knives) {
+      for (const Knife& knife : knives) {
+        const std::optional<std::string> name = drawing_of_knife(knife.text);
+        if (name)
+          plan.drawings[*name] = sha256(file_bytes(fs::path(plan.batch.file).parent_path() / *name, max_drawing));
+      }
+    }
+  }
+}
+
+/// The hashes of style files; what cannot be read is told by who looks for the style.
+void hash_styles(BatchPlan& plan) {
+  constexpr std::size_t max_style = std::size_t{1} << 20;  // bytes
+  for (const BatchEntry& entry : plan.batch.entries) {
+    const std::string& style = entry.assets.order.color.style;
+    std::error_code ignored;
+    if (style.ends_with(".toml") && fs::is_regular_file(style, ignored))
+      plan.styles[style] = sha256(file_bytes(style, max_style));
+  }
 }
 
 /// Digits that number `count` things from 0, in threes.
@@ -123,7 +121,7 @@ BatchPlan planned(BatchDescription batch, const TemplateSource& source) {
   BatchPlan plan;
   std::vector<std::vector<fs::path>> files;
   for (const BatchEntry& wanted : batch.entries) {
-    files.push_back(template_files(wanted, source));
+    files.push_back(template_files(wanted.all_templates, wanted.templates, source));
     PlannedEntry entry;
     entry.wanted = wanted;
     count(entry, files.back().size());
@@ -131,14 +129,17 @@ BatchPlan planned(BatchDescription batch, const TemplateSource& source) {
     plan.entries.push_back(std::move(entry));
   }
 
-  std::vector<fs::path> known;
+  TemplateShelf shelf;
   for (std::size_t i = 0; i < plan.entries.size(); ++i) {
     for (const fs::path& file : files[i]) {
-      plan.entries[i].templates.push_back(index_of(file, known, plan.templates));
-      check_fits(plan.entries[i].wanted, plan.templates[plan.entries[i].templates.back()]);
+      plan.entries[i].templates.push_back(shelf.index_of(file));
+      check_fits(plan.entries[i].wanted, shelf.at(plan.entries[i].templates.back()));
     }
   }
+  plan.templates = shelf.taken();
   plan.batch = std::move(batch);
+  hash_drawings(plan);
+  hash_styles(plan);
   return plan;
 }
 
@@ -174,6 +175,22 @@ std::vector<BatchItem> items_of(const PlannedEntry& entry, const BatchVariant& v
         for (const int texture : assets.textures)
           for (const int lod : assets.lods) items.push_back({number++, knives, browning, quality, texture, lod});
   return items;
+}
+
+PlannedItem item_at(const BatchPlan& plan, std::size_t entry, std::int64_t number) {
+  const std::int64_t of_each = plan.entries[entry].items_of_a_variant;
+  std::int64_t before = 0;
+  for (std::size_t i = 0; i < entry; ++i) before += plan.entries[i].variants;
+  const BatchVariant variant = variant_at(plan, before + number / of_each);
+  return {variant, items_of(plan.entries[entry], variant)[static_cast<std::size_t>(number % of_each)]};
+}
+
+std::string source_of(const BatchPlan& plan, const BatchVariant& variant) {
+  const PlannedEntry& entry = plan.entries[variant.entry];
+  const auto at = std::find(entry.templates.begin(), entry.templates.end(), variant.fruit) - entry.templates.begin();
+  const auto number = static_cast<std::size_t>(at);
+  const std::vector<TemplateWanted>& wanted = entry.wanted.templates;
+  return number < wanted.size() ? source_word(wanted[number].name) : plan.templates[variant.fruit].name;
 }
 
 Order order_of(const BatchPlan& plan, const BatchVariant& variant) {

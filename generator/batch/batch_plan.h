@@ -3,24 +3,17 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "generator/batch/batch_file.h"
-#include "generator/template/template.h"
+#include "generator/batch/planned_templates.h"
 #include "generator/variation/variation.h"
 
 namespace pomona {
-
-struct PlannedTemplate {
-  std::string name;    ///< without folder and ending
-  std::string sha256;  ///< hash of its file and of all files that it names
-  Template fruit;
-};
 
 /// An entry whose templates have been found.
 struct PlannedEntry {
@@ -35,14 +28,10 @@ struct BatchPlan {
   BatchDescription batch;
   std::vector<PlannedTemplate> templates;  ///< each once
   std::vector<PlannedEntry> entries;
+  std::map<std::string, std::string> drawings;  ///< SHA-256 of the files that knives name, from the batch's folder
+  std::map<std::string, std::string> styles;    ///< SHA-256 of the style files that entries name
   std::int64_t variants() const;
   std::int64_t items() const;
-};
-
-/// Finds templates as the command line does.
-struct TemplateSource {
-  std::function<std::filesystem::path(const std::string&)> find;
-  std::function<std::vector<std::filesystem::path>()> all;
 };
 
 /// \throws Error (bad_data) with the entry's place if there are more than max_batch_items, or if a template does not
@@ -70,6 +59,16 @@ struct BatchItem {
   Quality quality = Quality::draft;
   int texture = 0, lod = 0;
 };
+
+/// The item of this number within an entry.
+struct PlannedItem {
+  BatchVariant variant;
+  BatchItem item;
+};
+PlannedItem item_at(const BatchPlan& plan, std::size_t entry, std::int64_t number);
+
+/// The template's name or path, as an argument of `pomona cut`.
+std::string source_of(const BatchPlan& plan, const BatchVariant& variant);
 
 /// The individual as ordered: its seed and how it grows.
 Order order_of(const BatchPlan& plan, const BatchVariant& variant);

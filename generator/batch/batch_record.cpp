@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include <nlohmann/json.hpp>
 
-#include "generator/base/file_bytes.h"
 #include "generator/base/json_text.h"
-#include "generator/base/sha256.h"
 #include "generator/batch/batch_limits.h"
 #include "generator/batch/option_json.h"
 #include "generator/batch/record_fields.h"
-#include "generator/knife/knife_kinds.h"
 #include "generator/text/read_name.h"
 
 namespace pomona {
@@ -21,7 +17,6 @@ namespace pomona {
 namespace {
 
 using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
 
 /// Absent values become null.
 template <typename Value>
@@ -73,27 +68,13 @@ Json entry_of(const BatchPlan& plan, const PlannedEntry& entry) {
   json["variation"] = assets.order.fruit.growing.variation;
   json["thumbnail"] = assets.thumbnail;
   json["thumbnail_ground"] = assets.thumbnail_on_paper ? "paper" : "transparent";
+  if (assets.on_table) json["layout"] = "table";
+  if (assets.apart) json["pieces"] = "apart";
   for (const OrderOption* option : batch_options()) {
     const bool is_told = json.contains(key_of(*option)) || !is_ordered(*option, assets.order);
     if (!is_told) json[key_of(*option)] = option_json(*option, assets.order);
   }
   return json;
-}
-
-constexpr std::size_t max_drawing = std::size_t{64} << 20;  // bytes; read_stroke.h reads no larger ones
-
-/// The files that knives name ("stroke:strokes.svg#wave"), from the batch's folder, sorted by name.
-std::map<std::string, std::string> drawings_of(const BatchDescription& batch) {
-  std::map<std::string, std::string> drawings;
-  for (const BatchEntry& entry : batch.entries) {
-    for (const std::vector<Knife>& knives : entry.knives) {
-      for (const Knife& knife : knives) {
-        const std::optional<std::string> name = drawing_of_knife(knife.text);
-        if (name) drawings[*name] = sha256(file_bytes(fs::path(batch.file).parent_path() / *name, max_drawing));
-      }
-    }
-  }
-  return drawings;
 }
 
 constexpr const char* hint = "pomona wrote this file; make the batch again";
@@ -107,9 +88,11 @@ double number_at(const JsonNode& node, std::string_view key, double max) {
   return value.number;
 }
 
-/// The product of the lists that multiply after an individual is grown; see items_of().
+/// The product of the lists that multiply after an individual is grown; see items_of(). Pictures of data sets have
+/// none.
 std::int64_t items_of_a_variant(const JsonNode& entry) {
   std::int64_t items = 1;
+  if (std::find(entry.keys.begin(), entry.keys.end(), "knives") == entry.keys.end()) return items;
   for (const char* list : {"knives", "browning", "quality", "texture", "lod"}) {
     const JsonNode& values = entry.need(list);
     if (values.kind != JsonNode::Kind::array || values.items.empty()) fail(values.place(), "should be a list");
@@ -134,7 +117,8 @@ std::string batch_record(const BatchPlan& plan, const std::string& program) {
                {"entries", Json::array()}};
   for (const PlannedTemplate& fruit : plan.templates)
     json["templates"].push_back({{"name", fruit.name}, {"sha256", fruit.sha256}});
-  for (const auto& [file, hash] : drawings_of(batch)) json["drawings"].push_back({{"file", file}, {"sha256", hash}});
+  for (const auto& [file, hash] : plan.drawings) json["drawings"].push_back({{"file", file}, {"sha256", hash}});
+  for (const auto& [file, hash] : plan.styles) json["styles"].push_back({{"file", file}, {"sha256", hash}});
   for (const PlannedEntry& entry : plan.entries) json["entries"].push_back(entry_of(plan, entry));
   return json_text(json, 1) + "\n";
 }

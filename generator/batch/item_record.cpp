@@ -4,8 +4,11 @@
 
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/base/sha256.h"
+#include "generator/base/version.h"
 #include "generator/batch/option_json.h"
 #include "generator/batch/record_fields.h"
+#include "generator/knife/knife_kinds.h"
 #include "generator/piece/facts_json.h"
 
 namespace pomona {
@@ -20,16 +23,16 @@ Json piece_of(const Solid& solid) {
   return piece;
 }
 
+/// Where an item lies; records begin with it.
+Json place_of(const std::string& entry, std::int64_t items, std::int64_t number) {
+  return {{"item", item_path(entry, items, number)}, {"entry", entry}, {"number", number}};
+}
+
 /// The origin of the item, enough to make it again by `pomona cut`.
-Json recipe(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
+Json origin_of(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
   const PlannedEntry& entry = plan.entries[variant.entry];
   const PlannedTemplate& fruit = plan.templates[variant.fruit];
-  Json json = {{"item", item_path(entry.wanted.name, entry.items(), item.number)},
-               {"entry", entry.wanted.name},
-               {"number", item.number},
-               {"template", fruit.name},
-               {"template_sha256", fruit.sha256},
-               {"seed", variant.seed}};
+  Json json = {{"template", fruit.name}, {"template_sha256", fruit.sha256}, {"seed", variant.seed}};
   if (variant.folds) json["folds"] = *variant.folds;
   if (variant.ripeness) json["ripeness"] = *variant.ripeness;
   json["knives"] = Json::array();
@@ -79,9 +82,42 @@ RecordedFile file_of(const JsonNode& node) {
 
 }  // namespace
 
+std::string item_recipe(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
+  const BatchEntry& entry = plan.entries[variant.entry].wanted;
+  Json json = origin_of(plan, variant, item);
+  json["program"] = std::string("pomona ") + version;
+  json["source"] = source_of(plan, variant);
+  json["formats"] = Json::array();
+  for (const Format format : entry.assets.formats) json["formats"].push_back(name_of(format));
+  json["thumbnail"] = entry.assets.thumbnail;
+  json["thumbnail_on_paper"] = entry.assets.thumbnail_on_paper;
+  json["on_table"] = entry.assets.on_table;
+  json["apart"] = entry.assets.apart;
+
+  // Files that it names count by what they hold.
+  json["files"] = Json::array();
+  for (const Knife& knife : entry.knives[item.knives])
+    if (const auto drawing = drawing_of_knife(knife.text)) json["files"].push_back(plan.drawings.at(*drawing));
+  const auto style = plan.styles.find(entry.assets.order.color.style);
+  if (style != plan.styles.end()) json["files"].push_back(style->second);
+  return sha256(json_text(json));
+}
+
+std::string moved_record(const std::string& record, const std::string& entry, std::int64_t items, std::int64_t number) {
+  Json moved = place_of(entry, items, number);
+  const Json old = Json::parse(record, nullptr, false);
+  if (!old.is_object()) fail({"item.json", 1, 1, {}}, "is no object");
+  for (const auto& [key, value] : old.items())
+    if (!moved.contains(key)) moved[key] = value;
+  return json_text(moved) + "\n";
+}
+
 std::string item_record(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item,
                         const ItemOutcome& outcome) {
-  Json json = recipe(plan, variant, item);
+  const PlannedEntry& entry = plan.entries[variant.entry];
+  Json json = place_of(entry.wanted.name, entry.items(), item.number);
+  json.update(origin_of(plan, variant, item));
+  json["recipe"] = item_recipe(plan, variant, item);
   if (!outcome.error.empty()) json["error"] = outcome.error;
   json["pieces"] = Json::array();
   for (const Solid& solid : outcome.pieces) json["pieces"].push_back(piece_of(solid));
@@ -95,6 +131,7 @@ std::string item_record(const BatchPlan& plan, const BatchVariant& variant, cons
 RecordedItem parse_item_record(const std::string& json, const std::string& file) {
   const JsonNode root = parse_json(json, file);
   RecordedItem item{.item = text_at(root, "item", hint),
+                    .recipe = find(root, "recipe") ? text_at(root, "recipe", hint) : std::string(),
                     .template_name = text_at(root, "template", hint),
                     .seed = whole_at(root, "seed"),
                     .knives = {},

@@ -4,18 +4,29 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "generator/base/parallel.h"
 #include "generator/cut/section/cut_options.h"
 #include "generator/piece/solid.h"
+#include "generator/template/template.h"
+#include "generator/variation/variation.h"
 
 namespace pomona {
+
+/// A template that is ready for variants.
+struct ReadyTemplate {
+  const Template* fruit = nullptr;             ///< never null
+  std::shared_ptr<const Variation> variation;  ///< null where only the drawn fruit is wanted
+};
 
 struct ComposeOptions {
   /// The file behind a template's name. Paths are tried beside the scene file first.
   std::function<std::filesystem::path(const std::string& name)> find_template;
+  /// For those who compose many scenes: in place of `find_template`, templates that have been made ready once.
+  std::function<ReadyTemplate(const std::string& name)> ready_template{};
   double variation = 1;      ///< factor of the variation of every entry
   bool curves_only = false;  ///< see VariationOptions
   double detail = 1;         ///< see SweepOptions

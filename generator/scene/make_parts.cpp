@@ -276,7 +276,7 @@ std::vector<std::string> check_sources(const SceneDescription& scene, const Comp
 SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
   StageClock clock;
   const std::vector<Template> templates = clock.time("read", [&] { return scene_templates(scene, options); });
-  const auto ready = clock.time("vary", [&] { return variations_of(scene, templates); });
+  const auto ready = clock.time("vary", [&] { return variations_of(scene, templates, options); });
   const std::vector<Task> tasks = tasks_of(scene);
   std::vector<Made> made = all_made(tasks, {scene, templates, ready}, diffuser, options);
 

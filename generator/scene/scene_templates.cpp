@@ -44,6 +44,11 @@ std::vector<Template> scene_templates(const SceneDescription& scene, const Compo
   std::vector<Template> templates;
   std::vector<std::filesystem::path> files;
   for (const PiecesDescription& pieces : scene.pieces) {
+    if (options.ready_template) {
+      templates.push_back(*options.ready_template(pieces.template_name).fruit);
+      check_fits(pieces, templates.back());
+      continue;
+    }
     files.push_back(template_file(scene, pieces, options));
     const auto known = std::find(files.begin(), files.end() - 1, files.back()) - files.begin();
     templates.push_back(known + 1 < std::ssize(files) ? templates[static_cast<std::size_t>(known)]

@@ -17,10 +17,15 @@ std::optional<double> drawn_between(const std::optional<Within>& range, VariantK
 }  // namespace
 
 std::vector<std::shared_ptr<const Variation>> variations_of(const SceneDescription& scene,
-                                                            const std::vector<Template>& templates) {
+                                                            const std::vector<Template>& templates,
+                                                            const ComposeOptions& options) {
   std::vector<std::shared_ptr<const Variation>> ready(templates.size());
   for (std::size_t entry = 0; entry < ready.size(); ++entry) {
     if (scene.pieces[entry].as_drawn) continue;
+    if (options.ready_template) {
+      ready[entry] = options.ready_template(scene.pieces[entry].template_name).variation;
+      continue;
+    }
     for (std::size_t known = 0; known < entry && !ready[entry]; ++known) {
       if (scene.pieces[known].template_name == scene.pieces[entry].template_name) ready[entry] = ready[known];
     }

@@ -18,7 +18,8 @@ namespace pomona {
 
 /// For each entry with variants, its prepared template; entries with the same template share it.
 std::vector<std::shared_ptr<const Variation>> variations_of(const SceneDescription& scene,
-                                                            const std::vector<Template>& templates);
+                                                            const std::vector<Template>& templates,
+                                                            const ComposeOptions& options);
 
 /// A grown variant.
 struct GrownSceneVariant {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include "render/truth/cryptomatte.h"
 #include "render/truth/layers.h"
 #include "render/truth/mask.h"
+#include "render/truth/piece_labels.h"
 #include "render/truth/run_lengths.h"
 #include "render/truth/truth_exr.h"
 #include "render/truth/truth_pictures.h"
@@ -64,7 +66,8 @@ class AnnotationWriter {
                       {"parts", parts()},
                       {"fruits", fruits()},
                       {"annotations", seen},
-                      {"hidden", hidden}};
+                      {"hidden", hidden},
+                      {"part_annotations", part_annotations()}};
     return json_text(all, 1) + "\n";
   }
 
@@ -112,6 +115,40 @@ class AnnotationWriter {
     return list;
   }
 
+  /// What each part of each piece shows: the pixels of both layers.
+  Json part_annotations() const {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+      for (const auto& [part, mask] : part_masks(i)) {
+        list.push_back({{"id", list.size() + 1},
+                        {"image_id", 1},
+                        {"annotation_id", i + 1},
+                        {"part_id", part},
+                        {"bbox", box(mask.box)},
+                        {"area", mask.area()},
+                        {"segmentation", encoded(mask, layers_.width, layers_.height)}});
+      }
+    }
+    return list;
+  }
+
+  std::map<std::uint16_t, Mask> part_masks(std::size_t i) const {
+    const Mask& visible = visible_[i];
+    std::map<std::uint16_t, Mask> masks;
+    std::size_t at = 0;
+    for (int y = visible.box.top; y <= visible.box.bottom; ++y) {
+      for (int x = visible.box.left; x <= visible.box.right; ++x, ++at) {
+        const std::uint16_t part = layers_.part[layers_.pixel(x, y)];
+        if (visible.covered[at] == 0 || part == 0) continue;
+        Mask& mask = masks.try_emplace(part, Mask{visible.box, {}}).first->second;
+        mask.covered.resize(visible.covered.size());
+        mask.covered[at] = 1;
+      }
+    }
+    for (auto& [part, mask] : masks) mask = trimmed(mask);
+    return masks;
+  }
+
   Json annotation(std::size_t i) const {
     const Instance& instance = scene_.instances[i];
     const auto number = static_cast<std::size_t>(instance.solid);
@@ -119,24 +156,28 @@ class AnnotationWriter {
     const auto area = static_cast<double>(visible.area()), amodal_area = static_cast<double>(whole.area());
     const std::uint16_t fruit = names_.fruit_of_solid[number];
     const glm::dquat& turn = instance.pose.rotation;
-    return {{"id", i + 1},
-            {"image_id", 1},
-            {"category_id", names_.fruit(fruit).species},
-            {"bbox", box(visible.box)},
-            {"area", visible.area()},
-            {"segmentation", encoded(visible, layers_.width, layers_.height)},
-            {"iscrowd", 0},
-            {"amodal_bbox", box(whole.box)},
-            {"amodal_area", whole.area()},
-            {"amodal_segmentation", encoded(whole, layers_.width, layers_.height)},
-            {"occlusion", 1 - area / amodal_area},
-            {"name", instance.name},
-            {"fruit_id", fruit},
-            {"volume", facts_[number].volume},
-            {"mass", facts_[number].mass},
-            {"center_of_mass", numbers(turn * facts_[number].center + instance.pose.translation)},
-            {"rotation", {turn.w, turn.x, turn.y, turn.z}},
-            {"translation", numbers(instance.pose.translation)}};
+    Json json = {{"id", i + 1},
+                 {"image_id", 1},
+                 {"category_id", names_.fruit(fruit).species},
+                 {"bbox", box(visible.box)},
+                 {"area", visible.area()},
+                 {"segmentation", encoded(visible, layers_.width, layers_.height)},
+                 {"iscrowd", 0},
+                 {"amodal_bbox", box(whole.box)},
+                 {"amodal_area", whole.area()},
+                 {"amodal_segmentation", encoded(whole, layers_.width, layers_.height)},
+                 {"occlusion", 1 - area / amodal_area},
+                 {"name", instance.name},
+                 {"fruit_id", fruit},
+                 {"volume", facts_[number].volume},
+                 {"mass", facts_[number].mass},
+                 {"center_of_mass", numbers(turn * facts_[number].center + instance.pose.translation)},
+                 {"rotation", {turn.w, turn.x, turn.y, turn.z}},
+                 {"translation", numbers(instance.pose.translation)}};
+    const Solid& solid = scene_.solids[number];
+    json.update(state_labels(solid));
+    json.update(camera_pose(instance, solid, Lens(scene_.view, layers_.width, layers_.height)));
+    return json;
   }
 
   const Scene& scene_;
@@ -203,9 +244,9 @@ std::vector<TruthFile> ground_truth(const Scene& scene, const TruthOptions& opti
   const TruthLayers layers = truth_layers(scene, names, options.width, options.height, options.threads);
   const std::vector<Mask> amodal = amodal_masks(scene, options.width, options.height, options.threads);
   std::vector<TruthFile> files;
-  if (options.format == TruthFormat::png)
+  if (options.layers && options.format == TruthFormat::png)
     files = png_files(layers, amodal, options.threads);
-  else
+  else if (options.layers)
     files.push_back(exr_file(scene, names, layers, amodal, options));
 
   AnnotatedPicture picture{options.file_name, options.made_by, options.seed, {}};

@@ -16,7 +16,8 @@ struct TruthOptions {
   std::string made_by;            ///< version of the program
   std::uint64_t seed = 0;         ///< seed of the fruit or the scene
   TruthFormat format = TruthFormat::png;
-  int samples = 4;  ///< per pixel, as of the picture, for Cryptomatte's coverage
+  bool layers = true;  ///< else annotations.json alone
+  int samples = 4;     ///< per pixel, as of the picture, for Cryptomatte's coverage
   Threads threads{};
 };
 

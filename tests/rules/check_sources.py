@@ -41,6 +41,7 @@ ROAD = [
     "generator/scene/settle",
     "generator/scene",
     "generator/batch",
+    "generator/data",
     "render/image",
     "render/style",
     "render/marks",

@@ -10,6 +10,7 @@ import hashlib
 import html.parser
 import json
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -168,6 +169,122 @@ class Resume(Sandbox):
         self.assertFalse((self.path / "out/.pomona").exists())
         self.run_batch("--resume")
         self.assert_as_expected()
+
+
+class Update(Sandbox):
+    """A folder that grows with its batch file ends with the bytes of a new one."""
+
+    def updated(self, text, *words):
+        """What --update says, after the folder of the small batch has been updated to this text."""
+        if not (self.path / "out").exists():
+            shutil.copytree(self.whole, self.path / "out")
+        (self.path / "small.toml").write_text(text)
+        report = json.loads(self.run_batch("--update", "--json", *words).stdout)
+        self.run_pomona("batch", "small.toml", "-o", "anew", "--quiet")
+        self.assertEqual(tree(self.path / "out"), tree(self.path / "anew"))
+        shutil.rmtree(self.path / "anew")
+        return report
+
+    def test_begins_a_folder_and_keeps_one_that_is_as_it_should_be(self):
+        self.run_batch("--update")
+        self.assert_as_expected()
+        report = self.updated(SMALL)
+        self.assertEqual((report["made"], report["found"]), (0, 9))
+
+    def test_makes_only_what_is_new(self):
+        # A further variant of the last template, and a further way to cut, which gives all items other numbers.
+        report = self.updated(SMALL.replace("seeds = 3", "seeds = [3, 4]"))
+        self.assertEqual((report["made"], report["found"]), (1, 9))
+        report = self.updated(SMALL.replace('knives = ["half"', 'knives = ["across", "half"'))
+        self.assertEqual((report["made"], report["found"]), (4, 9))
+
+    def test_moves_items_that_lie_deeper_among_more_than_a_thousand(self):
+        text = SMALL[:SMALL.index("[[entry]]")] + '[[entry]]\nname = "many"\ntemplates = "radish"\nseeds = [1, 2]\n'
+        (self.path / "small.toml").write_text(text)
+        self.run_batch("--quiet")
+        # The thousand and first item is what counts: the others fail at once.
+        more = text.replace("seeds = [1, 2]", "seeds = [2, 1]\nknives = [" + ", ".join(
+            f'"slices:{0.001 + n * 1e-6:.6f}mm"' for n in range(500)) + ", []]")
+        (self.path / "small.toml").write_text(more)
+        report = json.loads(self.run_batch("--update", "--json", "--quiet", status=1).stdout)
+        self.assertEqual((report["items"], report["found"], len(report["failed"])), (1002, 2, 1000))
+        record = json.loads((self.path / "out/many/001/001/item.json").read_text())
+        self.assertEqual((record["item"], record["seed"], record["knives"]), ("many/001/001", 1, []))
+        self.assertFalse((self.path / "out/many/002").exists())
+
+    def test_removes_what_is_no_longer_asked_for_and_says_so(self):
+        text = SMALL[:SMALL.rindex("[[entry]]")]
+        shutil.copytree(self.whole, self.path / "out")
+        (self.path / "out/mine.txt").write_text("not of the batch")
+        (self.path / "small.toml").write_text(text)
+        result = self.run_batch("--update")
+        self.assertIn("kept 8 items, removed 1 that the batch no longer asks for: files/000", result.stderr)
+        self.assertFalse((self.path / "out/files").exists())
+        self.assertTrue((self.path / "out/mine.txt").exists())
+
+    def test_makes_anew_what_another_template_quality_or_program_gives(self):
+        shutil.copy(SOURCE / "templates/radish.toml", self.path / "mine.toml")
+        text = SMALL.replace('"radish", "cherry"', '"mine.toml", "cherry"')
+        self.assertEqual(self.updated(text)["made"], 4)
+        with open(self.path / "mine.toml", "a") as file:
+            file.write("# another template\n")
+        self.assertEqual(self.updated(text)["made"], 4)
+        self.assertEqual(self.updated(text.replace("seeds = 3", "seeds = 3\nthumbnail = 33"))["made"], 1)
+
+        # Items of another version have other recipes.
+        record = self.path / "out/cut/000/item.json"
+        record.write_text(re.sub('"recipe":"[0-9a-f]*"', '"recipe":"' + "0" * 64 + '"', record.read_text()))
+        batch = self.path / "out/batch.json"
+        batch.write_text(batch.read_text().replace('"program": "pomona', '"program": "pear'))
+        self.assertEqual(self.updated(text.replace("seeds = 3", "seeds = 3\nthumbnail = 33"))["made"], 1)
+
+    def test_refuses_another_batch_and_shards(self):
+        shutil.copytree(self.whole, self.path / "out")
+        (self.path / "small.toml").write_text(SMALL.replace('name = "test"', 'name = "other"'))
+        self.assertIn("another batch", self.run_batch("--update", status=73).stderr)
+        self.assertIn("--shard", self.run_batch("--update", "--shard", "1/2", status=64).stderr)
+        self.run_batch("--update", "--resume", status=64)
+        self.assert_as_expected()
+
+    def test_is_what_resume_hints_at(self):
+        shutil.copytree(self.whole, self.path / "out")
+        (self.path / "small.toml").write_text(SMALL.replace("count = 2", "count = 3"))
+        self.assertIn("--update", self.run_batch("--resume", status=73).stderr)
+
+
+class LaidOut(Sandbox):
+    HEAD = '[batch]\nformat = 1\nname = "b"\ndetail = 0.1\nformats = ["obj", "glb"]\nlayout = "table"\n'
+    ENTRY = '[[entry]]\nname = "a"\ntemplates = "lemon"\nseeds = 3\nknives = "half"\n'
+
+    def boxes(self, file):
+        """Of each piece: the lowest and the highest x, y and z."""
+        found = []
+        for line in (self.path / "out/a/000" / file).read_text().splitlines():
+            words = line.split()
+            if words[:1] == ["o"]:
+                found.append([])
+            elif words[:1] == ["v"]:
+                found[-1].append([float(word) for word in words[1:4]])
+        return [([min(p[k] for p in points) for k in range(3)], [max(p[k] for p in points) for k in range(3)]) for points in found]
+
+    def test_pieces_lie_side_by_side_on_the_ground(self):
+        (self.path / "laid.toml").write_text(self.HEAD + self.ENTRY)
+        self.run_batch(batch="laid.toml")
+        first, second = self.boxes("lemon.obj")
+        for low, high in (first, second):
+            self.assertAlmostEqual(low[1], 0, delta=1e-4)
+        apart = any(first[1][k] < second[0][k] or second[1][k] < first[0][k] for k in (0, 2))
+        self.assertTrue(apart, (first, second))
+
+    def test_pieces_have_files_of_their_own(self):
+        (self.path / "apart.toml").write_text(self.HEAD + 'pieces = "apart"\n' + self.ENTRY)
+        self.run_batch(batch="apart.toml")
+        files = {path.name for path in (self.path / "out/a/000").iterdir()}
+        self.assertEqual(files, {"item.json", "lemon-1.obj", "lemon-2.obj", "lemon-1.glb", "lemon-2.glb"})
+        for number in (1, 2):
+            (low, high), = self.boxes(f"lemon-{number}.obj")
+            self.assertAlmostEqual(low[1], 0, delta=1e-4)
+            self.assertTrue(low[0] < 0 < high[0] and low[2] < 0 < high[2])
 
 
 class Merge(Sandbox):

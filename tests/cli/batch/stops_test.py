@@ -112,6 +112,37 @@ class Stops:
                 sys.exit(f"shard and merge killed at call {at}: differs")
         return 10
 
+    def killed_updates(self, kills):
+        """An update that keeps an item, moves one, removes one and makes one, killed at calls; then once more, or resumed."""
+        file = self.folder / "small.toml"
+        grown = TINY.replace('knives = "half"', 'knives = ["across", "half"]').replace("count = 2", "count = 1")
+        file.write_text(grown)
+        shutil.rmtree(self.out, ignore_errors=True)
+        self.check(self.batch(), 0, "undisturbed")
+        before, self.expected = self.expected, tree(self.out)
+        shutil.rmtree(self.out)
+        file.write_text(TINY)
+        self.check(self.batch(), 0, "undisturbed")
+        old = self.folder / "old"
+        shutil.copytree(self.out, old)
+        file.write_text(grown)
+        count = self.folder / "count"
+        self.check(self.failing("any", 0, "0", "--threads", "1", "--update", count=count), 0, "counting")
+        total = int(count.read_text())
+        moments = list(range(1, total + 1, max(1, total // kills)))
+        for at in moments:
+            shutil.rmtree(self.out)
+            shutil.copytree(old, self.out)
+            self.check(self.failing("any", at, "kill", "--threads", "1", "--update"), -9, f"update killed at call {at}")
+            is_new = (self.out / "batch.json").read_bytes() != (old / "batch.json").read_bytes()
+            how = "--resume" if is_new and at % 2 else "--update"
+            self.check(self.batch(how), 0, f"{how} after an update killed at call {at} of {total}")
+            if tree(self.out) != self.expected:
+                sys.exit(f"{how} after an update killed at call {at} of {total}: differs")
+        file.write_text(TINY)
+        self.expected = before
+        return len(moments)
+
     def failing_calls(self):
         """A full disk, a broken one, one that is read-only or beyond its quota: from some call on, each call fails."""
         tried = 0
@@ -147,6 +178,7 @@ def main():
         print(f"{at_calls} kills at calls: all went on, same bytes", flush=True)
         print(f"{stops.killed_at_random(KILLS - at_calls)} kills at random moments: all went on, same bytes", flush=True)
         print(f"{stops.killed_shards()} kills of shards and merges: same bytes")
+        print(f"{stops.killed_updates(KILLS // 4)} kills of updates: same bytes")
         print(f"{stops.failing_calls()} failing calls: documented statuses, nothing damaged, all went on")
 
 

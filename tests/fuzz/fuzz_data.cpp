@@ -1,0 +1,14 @@
+// A data set file. No file beside it can be found.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "generator/data/data_file.h"
+#include "tests/fuzz/told.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  return pomona::fuzz::told([&] { pomona::parse_data(bytes, "nowhere/fuzz.toml"); });
+}
