@@ -1,4 +1,4 @@
-// pomona batch: many items, each a folder of files; a batch in shards is put together by merge.cpp.
+// pomona batch: many items, each a folder of files; merge.cpp joins the shards of a batch.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -37,7 +37,7 @@ bool holds_anything(const fs::path& folder) {
   return false;
 }
 
-/// A folder that holds anything but this very batch is not touched.
+/// Refuses a folder that holds anything but this batch.
 void check_folder_of(const fs::path& folder, const std::string& record, bool resume, const BatchPlan& plan,
                      const Shard& shard) {
   std::error_code failed;
@@ -47,8 +47,8 @@ void check_folder_of(const fs::path& folder, const std::string& record, bool res
   };
   if (!fs::is_directory(folder, failed)) refuse("is no folder", "");
 
-  // Another batch, or something else altogether. A shard that begins at the same time may write batch.json between two
-  // looks, but nothing before it.
+  // The folder holds another batch, or other files. A shard that starts at the same time may write batch.json between
+  // two checks, but nothing before it.
   std::string there = batch_record_in(folder);
   if (there.empty() && holds_anything(folder)) {
     there = batch_record_in(folder);
@@ -70,7 +70,7 @@ ExitStatus finish(const RunReport& report, const BatchCommand& command, Workplac
 }
 
 ExitStatus make_batch(const BatchCommand& command) {
-  // Everything that can be wrong with the words and the file is told before anything is written.
+  // Find all errors of the command line and the file before anything is written.
   const RunOptions options{.shard = parse_shard(command.shard),
                            .threads = {command.threads},
                            .memory = parse_memory(command.memory),
@@ -81,7 +81,8 @@ ExitStatus make_batch(const BatchCommand& command) {
   const fs::path folder = command.output;
   check_folder_of(folder, record, command.resume, plan, options.shard);
 
-  // From here on the folder is ours, or a share of it; what it holds may have changed while we waited for it.
+  // From here on this run holds the folder, or a share of it. Its contents may have changed while we waited for the
+  // lock.
   Progress progress(command.quiet);
   for (const std::string& warning : batch_warnings(plan)) progress.line("warning: " + warning);
   Workplace workplace(folder, options.shard);
@@ -103,7 +104,7 @@ DeclaredCommand batch_command(CLI::App& app) {
       ->type_name("FOLDER")
       ->required();
 
-  // Which of them, and how many at once.
+  // Which items, and how many at once.
   CLI::Option* resume = command->add_flag("--resume", options->resume, "Keep what is there, and make what is missing");
   command
       ->add_flag("--verify", options->verify,

@@ -1,4 +1,4 @@
-// One item, from its numbers to its files. Nothing is written here, and nothing else has a say in the bytes.
+// One item, from its numbers to the bytes of its files. Nothing else affects the bytes, and nothing is written here.
 #pragma once
 
 #include <memory>
@@ -15,21 +15,21 @@ namespace pomona {
 struct MadeItem {
   std::string item;              ///< its folder: "halves/042"
   std::vector<NamedFile> files;  ///< item.json is the last
-  std::string error;             ///< why it could not be made; then item.json is all there is
+  std::string error;             ///< the reason if it failed; then item.json is the only file
 };
 
-/// One individual, for all items that are made of it.
+/// The fruit that several items share.
 OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, const BatchVariant& which);
 
-/// \param grown none where growing failed, `growing_error` says how.
-/// \throws what says that memory or threads ran out (exhausted.h): another time there may be enough.
+/// \param grown null if growing failed; then `growing_error` is the reason.
+/// \throws errors for a lack of memory or threads (exhausted.h), because a later run may have enough.
 MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const OrderedFruit* grown,
                    const std::string& growing_error, const BatchItem& item, const EntryStyles& styles);
 
-/// What went wrong, in words that are the same each time.
+/// The reason as a text that is the same in every run.
 std::string reason_of(const std::exception& error);
 
-/// An estimate of the memory that an item takes while it is made, bytes. docs/guides/batch.md says what it rests on.
+/// An estimate of the memory for making an item, bytes; docs/guides/batch.md explains it.
 std::uint64_t memory_of_an_item(const PlannedEntry& entry);
 
 }  // namespace pomona

@@ -21,13 +21,13 @@ namespace pomona {
 
 namespace {
 
-/// The shard's variants: every count-th of all.
+/// The variants of the shard: every count-th variant of the batch.
 class VariantsOfShard {
  public:
   VariantsOfShard(const BatchPlan& plan, const Shard& shard) : shard_(shard), all_(plan.variants()) {}
 
   std::size_t size() const { return static_cast<std::size_t>((all_ - shard_.number + shard_.count) / shard_.count); }
-  /// Its number among all variants of the batch.
+  /// The number of the i-th one among all variants of the batch.
   std::int64_t operator[](std::size_t i) const {
     return shard_.number - 1 + static_cast<std::int64_t>(i) * shard_.count;
   }
@@ -42,11 +42,10 @@ std::string path_of(const BatchPlan& plan, const BatchVariant& variant, const Ba
   return item_path(entry.wanted.name, entry.items(), item.number);
 }
 
-/// Templates made ready for their variants when the first of these is wanted: a share of a batch, or what is left of
-/// it, may need few of them.
+/// Templates that are prepared at their first use: a shard, or the rest of a batch, may need only few of them.
 class ReadyTemplates {
  public:
-  /// One of them, or why it cannot be made ready.
+  /// A prepared template, or the reason why it cannot be prepared.
   struct Ready {
     std::optional<Variation> variation;
     std::string error;
@@ -55,13 +54,13 @@ class ReadyTemplates {
   explicit ReadyTemplates(const BatchPlan& plan)
       : plan_(plan), once_(plan.templates.size()), ready_(plan.templates.size()) {}
 
-  /// By any thread; the others wait for the one that makes it.
+  /// From any thread; others wait for the thread that prepares it.
   const Ready& of(std::size_t fruit) {
     std::call_once(once_[fruit], [&] {
       try {
         ready_[fruit].variation.emplace(plan_.templates[fruit].fruit);
       } catch (const std::exception& error) {
-        if (exhausted(error)) throw;  // the next one tries again
+        if (exhausted(error)) throw;  // the next call tries again
         ready_[fruit].error = reason_of(error);
       }
     });
@@ -94,7 +93,7 @@ class Run {
     const VariantsOfShard numbers(plan_, options.shard);
     tell();
     parallel_for(numbers.size(), options.threads, [&](std::size_t i) { make_variant(numbers[i]); });
-    signals_.forget();  // what they ask for is done: no further item was begun
+    signals_.forget();  // the request is fulfilled: no further item was begun
     if (interrupted_)
       throw Error(ExitStatus::locked, "interrupted, with " + progress_text(tally_), "--resume goes on from here");
     if (left_ > 0)
@@ -108,8 +107,7 @@ class Run {
   }
 
  private:
-  /// All items of one individual that are not there yet. What cannot be written ends the run, and nothing else is
-  /// begun.
+  /// Makes all missing items of one individual. An error while writing ends the run: no further item is begun.
   void make_variant(std::int64_t number) {
     if (stopped_ || interrupted_) return;
     if (signals_.any()) {
@@ -171,7 +169,7 @@ class Run {
     }
   }
 
-  /// What memory or threads did not suffice for is no item that failed: it stays missing, and the next run tries it.
+  /// Items that lack memory or threads do not fail: they stay missing, and the next run makes them.
   void note_lack(const BatchVariant& which, std::span<const BatchItem> items, const std::string& lack) {
     {
       const std::lock_guard lock(mutex_);
@@ -218,7 +216,7 @@ class Run {
 
   std::mutex mutex_;
   Tally tally_;
-  std::size_t left_ = 0;  // items that are missing for lack of memory or threads
+  std::size_t left_ = 0;  // items that lack memory or threads
   std::string lack_;
   std::vector<std::pair<std::pair<std::int64_t, std::int64_t>, FailedItem>> failed_;
 };

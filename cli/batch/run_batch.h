@@ -17,8 +17,8 @@ namespace pomona {
 struct RunOptions {
   Shard shard;
   Threads threads;
-  std::uint64_t memory = 0;              ///< bytes that items under way may take together; 0 = no limit
-  FileCheck check = FileCheck::lengths;  ///< of items that are there already
+  std::uint64_t memory = 0;              ///< bytes for all items that are made at once; 0 = no limit
+  FileCheck check = FileCheck::lengths;  ///< of existing items
 };
 
 struct FailedItem {
@@ -30,15 +30,14 @@ struct RunReport {
   std::vector<FailedItem> failed;  ///< in the order of the items
 };
 
-/// Makes what is not there yet. Items that fail are noted, and leave a record; SIGINT, SIGTERM and SIGHUP end the run
-/// after the items under way.
-/// \throws Error (cannot_create, io_error) if something cannot be written, (locked) if it was ended by a signal,
-/// (out_of_memory) if memory or threads did not suffice for items, which then are missing. What
-/// is whole by then stays.
+/// Makes the missing items. Failed items are counted and leave a record; SIGINT, SIGTERM and SIGHUP end the run after
+/// the current items.
+/// \throws Error (cannot_create, io_error) if something cannot be written, (locked) after a signal, (out_of_memory) if
+/// memory or threads did not suffice for some items, which stay missing. Complete items stay.
 RunReport run_batch(const BatchPlan& plan, const std::vector<EntryStyles>& styles, Workplace& workplace,
                     const RunOptions& options, Progress& progress);
 
-/// Whether any item of the shard is there.
+/// True if any item of the shard exists.
 bool has_any_item(const BatchPlan& plan, const std::filesystem::path& folder, const Shard& shard);
 
 }  // namespace pomona

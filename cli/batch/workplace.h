@@ -1,4 +1,4 @@
-// A batch's folder while runs work on it: locks, and a place where items are made until they are whole.
+// A batch's folder while runs work on it: locks, and a temporary folder for incomplete items.
 #pragma once
 
 #include <atomic>
@@ -14,19 +14,19 @@
 
 namespace pomona {
 
-/// Which share of a batch a run makes: part `number` of `count`, from 1.
+/// The share of a batch that a run makes: part `number` of `count`, from 1.
 struct Shard {
   int number = 1, count = 1;
 };
 
-/// Everything temporary lies in FOLDER/.pomona: a lock for the folder, which shards share and other runs have alone; a
-/// lock for each shard; and a folder of each shard, in which its items are made. Locks are the kernel's (flock): they
-/// end with the process that holds them. What a killed run has left there is removed by the next run of the same shard,
-/// and by a run that has the folder alone.
+/// All temporary files lie in FOLDER/.pomona: a lock of the folder, which shards share and other runs hold alone; a
+/// lock of each shard; and a folder of each shard for its incomplete items. Locks are the kernel's (flock): they end
+/// with their process. The next run of the same shard, and a run that holds the folder alone, remove what a killed run
+/// has left.
 class Workplace {
  public:
-  /// Makes the folder if it is not there. \throws Error (locked) if another run is at work on the same items,
-  /// (cannot_create) where it cannot be made.
+  /// Makes the folder if it is missing. \throws Error (locked) if another run makes the same items, (cannot_create) if
+  /// the folder cannot be made.
   Workplace(std::filesystem::path folder, const Shard& shard);
   ~Workplace();
   Workplace(const Workplace&) = delete;
@@ -34,11 +34,11 @@ class Workplace {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Makes the folder `item` with these files in it, whole or not at all, in place of what is there. From any thread.
+  /// Makes the folder `item` with these files, replaces an existing one, all or nothing. From any thread.
   /// \throws Error (cannot_create, io_error)
   void put_item(const std::string& item, std::span<const NamedFile> files);
 
-  /// Writes the file `name` of the folder as `write` asks for it, piece by piece; whole or not at all.
+  /// Writes the file `name` of the folder, all or nothing, from the parts that `write` passes on.
   using Writer = std::function<void(std::string_view)>;
   void put_file(const std::string& name, const std::function<void(const Writer&)>& write);
 
