@@ -50,7 +50,7 @@ TEST(BadInput, LeavesNoFileBehind) {
   }
 }
 
-/// A scene that reads well and yet cannot be, and what is said of it.
+/// A scene that can be read but not made, and its error.
 struct ImpossibleScene {
   std::string text;
   int status = 0;
@@ -96,7 +96,7 @@ TEST(BadInput, OfScenesThatCannotBeIsNamedAndLeavesWhatWasThere) {
   }
 }
 
-/// A box of 1 m with 4097 boxes in it that face inwards: walls of cavities, one more than are allowed.
+/// A box of 1 m with 4097 boxes in it that face inwards, as walls of cavities: one more than allowed.
 std::string box_of_cavities() {
   std::string vertices, faces;
   int first = 1;
