@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/data_set.py: two pictures of two commands, what is written of them, and that a second run keeps them.
+"""scripts/data_set.py: two pictures of two commands, their data, and a second run that keeps them.
 
     data_set_test.py POMONA
 """
@@ -47,7 +47,7 @@ def check_coco(folder):
 
 
 def check_croissant(folder):
-    """The keys that the Croissant specification 1.0 asks for, and that sources name what is there."""
+    """The keys that the Croissant specification 1.0 requires; sources exist."""
     croissant = json.loads((folder / "croissant.json").read_text())
     for key in ("@context", "@type", "conformsTo", "name", "description", "license", "url", "distribution", "recordSet"):
         expect(key in croissant, f"no {key} in croissant.json")
@@ -90,7 +90,7 @@ def main():
         subprocess.run([program, *words, "--quiet", "-o", str(alone)], check=True)
         expect(alone.read_bytes() == before[lost], "the command of a picture makes another one")
 
-        # What fails is named, with its status.
+        # A failing command is named, with its status.
         failed = run(program, pathlib.Path(temporary) / "other", "--command", "cut nothing --knife half", "--count", "3")
         expect(failed.returncode != 0 and "ended with status 66" in failed.stderr, failed.stderr)
 
