@@ -43,8 +43,8 @@ constexpr double max_area_error = 1e-9, max_volume_error = 1e-6, max_curved_volu
 /// The number of cuts between two saves of the figures.
 constexpr int chunk = 250;
 
-/// Takes small parts (grains) away until about `triangles` are left, if possible: large parts stay, and of the small
-/// ones every n-th.
+/// Removes small parts (grains) until about `triangles` are left, if possible: all large parts stay, and every n-th
+/// small one.
 DiffusionSurfaces thinned(const DiffusionSurfaces& fruit, int triangles) {
   const std::vector<std::uint32_t> welded = weld(fruit.position);
   DisjointSets parts(fruit.vertex_count());
@@ -90,7 +90,7 @@ DiffusionSurfaces thinned(const DiffusionSurfaces& fruit, int triangles) {
   return kept;
 }
 
-/// By turns whole and in one strip.
+/// Alternates between a whole peel and one in a strip.
 Knife random_peel(double size, const RandomStream& random, std::uint64_t number) {
   PeelKnife peel;
   peel.thickness = size * (0.005 + 0.03 * random.uniform(2 * number));

@@ -1,5 +1,5 @@
-// 64 dice against one cut of the same fruit: along each of the nine planes the dice are cut by, and `half` and
-// `across`. All are repeated by turns, so that other work on the machine slows all of them alike.
+// The time of 64 dice against that of single cuts of the same fruit: along each of the nine planes of the dice, and
+// `half` and `across`. The runs alternate, so that other work on the machine slows all of them alike.
 //   dice [NAME...] [--triangles N] [--runs N] [--threads N]
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// The errors of draft and final, which the documents promise: every template, four cuts, compared with the reference,
-// in linear channels and in sRGB; and of other numbers of lines, to choose from.
+// The errors of draft and final against the reference, which the documents state: every template, four cuts, in linear
+// channels and in sRGB. Also the errors with other numbers of lines, to choose from.
 //   diffusion_errors [FRUIT...] [--points N] [--lines N...] [--json FILE]
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Where positive mean values and the grid differ from true diffusion: for every template and three cuts, a picture and
-// three figures. The truth is a walk on spheres, kept on disk; a stopped run continues where it was.
+// Where positive mean values and the grid differ from true diffusion: a picture and three numbers for every template
+// and three cuts. The truth comes from walks on spheres, kept on disk; a stopped run continues where it was.
 //   error_atlas [FRUIT...] [--out FOLDER] [--keep FOLDER] [--standard-error E] [--json FILE]
 #include <cmath>
 #include <cstdio>
@@ -62,7 +62,7 @@ Entry measured(const BenchFruit& fruit, const BenchCut& at, const Options& optio
   const CrossSection section = cut(surfaces, {&at.knife, 1}).section;
   const std::vector<glm::vec3> points = interior_positions(section);
 
-  // Three answers at the same points.
+  // Diffuse in three ways at the same points.
   const WalkTruth truth =
       walk_truth(surfaces, points,
                  {.folder = options.keep / name,

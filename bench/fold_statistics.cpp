@@ -15,7 +15,7 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// A curve as numbers of one unit, metres: radii, and azimuths times the curve's mean radius.
+/// A curve as a vector in metres: radii, and azimuths times the curve's mean radius.
 Vector features_of(const PolarCurve& curve, double metres_per_azimuth) {
   Vector features = curve.radius;
   for (const double azimuth : curve.azimuth) features.push_back(azimuth * metres_per_azimuth);
@@ -56,8 +56,8 @@ class Spread {
   double count_ = 0;
 };
 
-/// The samples of one surface. A drawn fold is a sum of samples, so its mean and covariance follow from those of the
-/// weights and from the samples' products with each other.
+/// The samples of one surface. A fold of a variant is a weighted sum of samples, so its mean and covariance follow from
+/// those of the weights and from the scalar products of the samples.
 class SampleSpace {
  public:
   explicit SampleSpace(const FoldSamples& samples) {

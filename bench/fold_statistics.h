@@ -7,13 +7,13 @@
 
 namespace pomona::bench {
 
-/// Over all folds of all variants and all curves that are blended. Errors are relative: of the mean to the samples'
-/// standard deviation, of the covariance to the samples' (Frobenius norms).
+/// Over all folds of all variants and all curves that are blended. The error of the mean is relative to the samples'
+/// standard deviation, that of the covariance to the samples' covariance (Frobenius norms).
 struct FoldStatistics {
-  double mean_error = 0, expected_mean_error = 0;  ///< of the unclipped draw; what chance alone would leave
+  double mean_error = 0, expected_mean_error = 0;  ///< of the unclipped draw; expected from chance alone
   double covariance_error = 0, expected_covariance_error = 0;
-  /// Variance over the samples' variance: of the unclipped draw, once clipped, once stepped down where
-  /// something would have crossed, once joined along the fold lines.
+  /// Variance relative to the samples': of the unclipped draw; after clipping; after stepping down where something
+  /// would have crossed; after joining along the fold lines.
   double unclipped = 0, clipped = 0, stepped = 0, joined = 0;
   double mean_shift = 0;  ///< shift of the final curves' mean, in the samples' standard deviation
 };

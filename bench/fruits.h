@@ -18,8 +18,8 @@ struct BenchFruit {
   GrownFruit grown;  ///< seed 0
 };
 
-/// The fruits with these names, or all in templates/, sorted by name. \throws Error (input_missing) for a name that is
-/// none.
+/// The fruits with these names, or all in templates/, sorted by name. \throws Error (input_missing) if there is no such
+/// template.
 std::vector<std::string> fruit_names(const std::vector<std::string>& wanted = {});
 
 /// The path of the template with this name.
@@ -38,7 +38,7 @@ struct BenchCut {
 };
 std::vector<BenchCut> standard_cuts(const DiffusionSurfaces& surfaces);
 
-/// Where diffusion has work to do.
+/// The interior vertices, whose colours are diffused.
 std::vector<glm::vec3> interior_positions(const CrossSection& section);
 
 }  // namespace pomona::bench

@@ -46,7 +46,7 @@ struct Row {
   bool is_sealed = false;
   bench::Duration set_up, solve, field, section, texels;
   double kept_megabytes = 0, levels_megabytes = 0;
-  bench::ColorErrors errors;  ///< against walks on spheres, whose noise is taken out of `rms`
+  bench::ColorErrors errors;  ///< against walks on spheres; `rms` is without their noise
 };
 
 constexpr int texel_side = 640;
@@ -79,7 +79,7 @@ std::vector<glm::vec3> vectors_of(const nlohmann::json& rows) {
   return vectors;
 }
 
-/// Adds what a file of walk_truth knows about a subject.
+/// Adds the colours that a file of walk_truth has for a subject.
 void add_truth(Subject& subject, const std::string& file) {
   const nlohmann::json known = nlohmann::json::parse(std::ifstream(file));
   if (known["fruit"] != (subject.name == seeded_name ? "bench" : subject.name)) return;
@@ -111,7 +111,7 @@ Row measured(const Subject& subject, const HarmonicOptions& options, int runs) {
   row.points = subject.points.size();
   const GridOptions grid = grid_options(subject.surfaces, options);
 
-  // Times the two halves of the work alone, then all of a field.
+  // Times the two halves of the work separately, then a whole field.
   const glm::dvec3 size = bounds_of(subject.surfaces).size();
   row.nodes = static_cast<int>(std::max({size.x, size.y, size.z}) / grid.spacing + 0.5);
   std::optional<PreparedField> prepared;

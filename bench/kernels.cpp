@@ -47,7 +47,7 @@ void group_order(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(nearest_first(scene.packed, scene.normalized));
 }
 
-/// One line after another of those for final.
+/// Sweeps along the lines of quality final, one after another.
 void sweep(benchmark::State& state) {
   const Scene scene(static_cast<int>(state.range(0)));
   const GroupBoxes boxes = nearest_first(scene.packed, scene.normalized);
@@ -82,7 +82,7 @@ void nearest_side_anywhere(benchmark::State& state) {
   }
 }
 
-/// Sixteen points.
+/// The cube of directions at sixteen points.
 void cube(benchmark::State& state) {
   const Scene scene(3000);
   const auto texels = static_cast<int>(state.range(0));
@@ -94,7 +94,7 @@ void cube(benchmark::State& state) {
   }
 }
 
-/// All of it, on two threads.
+/// The whole diffusion, on two threads.
 void whole(benchmark::State& state) {
   const Scene scene(3000);
   const auto diffuser = make_pmvc_diffuser({static_cast<Quality>(state.range(0)), {2}});

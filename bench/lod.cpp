@@ -1,5 +1,5 @@
-// Levels of detail of half of every fruit: how many triangles, how far off, how long they take. Where meshoptimizer is
-// installed, its levels stand beside ours; it knows neither colours nor a bound.
+// Levels of detail of half of every fruit: number of triangles, deviation, time. If meshoptimizer is installed, its
+// levels are shown beside ours; it regards neither colours nor a bound.
 //   lod [--error SHARE] [--color SHARE] [--levels N] [--knife KNIFE] [--quick] [NAME...]
 #include <algorithm>
 #include <cstdio>
@@ -51,7 +51,7 @@ std::size_t open_edges(const SolidMesh& mesh) {
   return open;
 }
 
-/// Triangles, needles apart, that face against the sum of their vertices' normals.
+/// Number of triangles, except needles, that face against the sum of their vertices' normals.
 std::size_t turned_triangles(const SolidMesh& mesh) {
   std::size_t turned = 0;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
@@ -72,7 +72,7 @@ struct Method {
 };
 
 #ifdef POMONA_MESHOPTIMIZER
-/// The solid with these corners; each triangle lies where its first corner lay before.
+/// The solid with these corners; each triangle belongs to the face that its first corner belonged to.
 Solid level_of(const Solid& solid, const std::vector<unsigned>& corners) {
   std::vector<std::size_t> triangle_at(solid.mesh.position.size(), 0);
   for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t)

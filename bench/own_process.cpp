@@ -46,7 +46,7 @@ std::string in_own_process(const std::function<std::string()>& work) {
     work_and_leave(work, ends[1]);
   }
 
-  // All that it writes, until it ends.
+  // Read all that it writes until it ends.
   close(ends[1]);
   std::string text = all_from(ends[0]);
   close(ends[0]);

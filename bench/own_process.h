@@ -6,7 +6,7 @@
 
 namespace pomona::bench {
 
-/// What `work` returns there. Errors end the other process, which prints them to standard error.
+/// Runs `work` in another process and returns its result. Errors end that process, which prints them to standard error.
 /// \throws std::runtime_error if the other process cannot be started or fails.
 std::string in_own_process(const std::function<std::string()>& work);
 

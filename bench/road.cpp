@@ -68,7 +68,7 @@ StageClock walk_road(const std::string& name, std::uint64_t seed, const Knife& k
   return clock;
 }
 
-/// The quickest of several runs, since others use the machine, too.
+/// The quickest of several runs, because other programs use the machine, too.
 ItemTimes quickest(const std::string& name, std::uint64_t seed, Quality quality, const Settings& settings) {
   const auto diffuser = make_pmvc_diffuser({quality, {1}});
   const Knife knife = parse_knife(settings.knife);
@@ -93,7 +93,7 @@ Json measured(const std::string& name, Quality quality, const Settings& settings
     const ItemTimes item = quickest(name, static_cast<std::uint64_t>(seed), quality, settings);
     double sum = 0;
     for (const auto& [stage, milliseconds] : item.stages.stages()) sum += milliseconds;
-    // Stages are timed by the clock, which others on the machine hold up: their shares of the processor's time count.
+    // Stages are timed by the clock, which other programs slow down, so their shares of the processor time are used.
     for (const auto& [stage, milliseconds] : item.stages.stages())
       times[stage].push_back(milliseconds / sum * item.processor);
     times["all"].push_back(item.processor);

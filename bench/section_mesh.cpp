@@ -1,5 +1,5 @@
-// Does the section mesh have its vertices where the field needs them? The error of interpolating between them, and how
-// many interior vertices a mesh of one size needs for the same.
+// Does the section mesh have its vertices where the field needs them? Measures the error of interpolation between them,
+// and how many interior vertices a mesh of uniform size needs for the same error.
 //   section_mesh [--json] [--samples N] [--no-uniform] [NAME...]
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ struct Settings {
   std::vector<std::string> names;
 };
 
-/// Places spread evenly over the section, and what its mesh says there.
+/// Places spread evenly over the section, and the colours that its mesh interpolates there.
 struct Samples {
   std::vector<glm::vec3> position;
   std::vector<Color> color;
@@ -80,7 +80,7 @@ class Meter {
     return result;
   }
 
-  /// Interior vertices of a mesh of one size that has this error: between two sizes, by the slope of their logarithms.
+  /// Interior vertices of a uniform mesh with this error, interpolated between two sizes in logarithms.
   double uniform_for(const Knife& knife, double rms) const {
     constexpr double max_vertices = 60000;
     Measured coarser;

@@ -19,7 +19,7 @@
 namespace pomona::bench {
 namespace {
 
-/// Round and flat, thick and thin, convex and not: 104 pieces of 7 fruits, 308 with their copies, and a bowl that these
+/// 104 pieces of 7 fruits, round and flat, thick and thin, convex and not; 308 with their copies; and a bowl that these
 /// fill.
 constexpr const char* mixed = R"(
 format = 1

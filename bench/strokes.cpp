@@ -1,4 +1,4 @@
-// The time of a scene's ink, and of the whole picture; and how much ink flickers when the camera turns.
+// The time of a scene's ink and of the whole picture, and how much ink flickers when the camera turns.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

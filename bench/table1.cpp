@@ -76,7 +76,7 @@ void measure_mean_values(const DiffusionSurfaces& surfaces, const std::vector<gl
   row.final = time(Quality::final);
 }
 
-/// The paper's algorithm at some of the points, for it takes milliseconds a point.
+/// The paper's algorithm at some of the points only, because it takes milliseconds for each.
 void measure_cube_maps(const DiffusionSurfaces& surfaces, const std::vector<glm::vec3>& points, Row& row) {
   constexpr std::size_t sample = 12;
   std::vector<glm::vec3> some;
@@ -114,8 +114,8 @@ Model model_of(const std::string& template_name) {
   return {template_name, type_of(fruit.drawn), std::move(fruit.grown.sheets)};
 }
 
-/// The fruit that diffusion is timed on, less its septa: they cross its chambers, and tetrahedra need surfaces that
-/// do not cross. It is there so that one line of the table has all columns.
+/// The seeded fruit without its septa: they cross its chambers, and tetrahedra need surfaces that do not cross. It
+/// gives the table one line with all columns.
 Model seeded_fruit_without_septa() {
   const DiffusionSurfaces whole = shapes::seeded_fruit();
   DiffusionSurfaces rest = whole;

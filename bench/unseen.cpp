@@ -1,5 +1,5 @@
-// Seeds that nobody has chosen: whether each fruit's halves and sections across are as good as the drawing's, by
-// numbers. docs/reports/unseen.md shows what it prints; scripts/unseen_sheet.py shows the worst as pictures.
+// Seeds that nobody has chosen: measures whether each fruit's halves and sections across are as good as the drawing's.
+// docs/reports/unseen.md shows what it prints; scripts/unseen_sheet.py shows the worst as pictures.
 //   unseen [FRUIT...] [--seeds 1-200] [--out FILE] [--json FILE] [--worst FILE] [--threads N]
 #include <algorithm>
 #include <cstdio>
@@ -35,9 +35,10 @@ struct Options {
 };
 
 /// What an unseen fruit is held to.
-constexpr double short_side = 0.5;    ///< least share of a part on a side, of the drawing's poorer side
-constexpr double least_part = 0.003;  ///< parts with less of the drawn section are not asked for
-constexpr double stated_drift = 5;    ///< most change of a tissue's colour differences, in 255ths
+constexpr double short_side =
+    0.5;  ///< min area of a part on a side, relative to the drawing's side that has less of it
+constexpr double least_part = 0.003;  ///< parts with a smaller share of the drawn section are not regarded
+constexpr double stated_drift = 5;    ///< max change of a tissue's colour differences, in 255ths
 
 struct SeedRange {
   int first = 1, last = 200;
@@ -55,7 +56,7 @@ Json json_of(const FaceFacts& face) {
   return {{"area", face.area}, {"crumbs", face.crumbs}, {"sides", sides}};
 }
 
-/// What a file keeps of one fruit; what it is judged by is worked out anew each time.
+/// The measurements of one fruit as they are kept in the file. Faults are computed from them in every run.
 Json row_of(const std::string& name, int seed, const UnseenFacts& facts) {
   return {{"fruit", name},
           {"seed", seed},
@@ -70,8 +71,7 @@ Json row_of(const std::string& name, int seed, const UnseenFacts& facts) {
           {"drifting", {facts.worst_drift.first, facts.worst_drift.second}}};
 }
 
-/// A part that the half lacks on one side, with what it has there as a share of what the drawing has on its poorer
-/// side.
+/// A part that the half lacks on one side, and its area there relative to the drawing's side that has less of it.
 struct Lack {
   std::string part;
   double share = 1;
@@ -97,10 +97,10 @@ Lack worst_lack(const Json& row, const Json& drawn, const std::vector<std::strin
   return worst;
 }
 
-/// The numbers by which a fruit may fall out, each 0 if it is sound.
+/// The faults of a fruit, each 0 if it is sound.
 std::map<std::string, double> faults_of(const Json& row, const Json& drawn, const std::vector<std::string>& parts) {
   const Lack lack = worst_lack(row, drawn, parts);
-  // Where the drawing leaves chambers empty, so may chance.
+  // Chambers may be empty where the drawing has empty ones.
   const double empty = drawn["empty_chambers"] == 0 ? row["empty_chambers"].get<double>() : 0;
   const auto more = [&](const char* face) {
     return std::max(0.0, row[face]["crumbs"].get<double>() - drawn[face]["crumbs"].get<double>());
@@ -191,7 +191,7 @@ TextTable table_of(const std::vector<Fruit>& fruits) {
   return table;
 }
 
-/// How many variants have any fault.
+/// Number of variants with any fault.
 int fallen_out(const std::vector<Fruit>& fruits) {
   int fallen = 0;
   for (const Fruit& fruit : fruits) {

@@ -19,10 +19,10 @@ namespace {
 /// A component of a section below this share of it is a crumb.
 constexpr double crumb = 1.0 / 2000;
 
-/// A grain is crossed by a membrane if more than this share of its vertices lie on the other side.
+/// A membrane crosses a grain if more than this share of the grain's vertices lie on the other side.
 constexpr double crossed = 0.04;
 
-/// Membranes are sharp; what is blurred more is a change of colour.
+/// Metres: a membrane has less blur than this; a surface with more is a change of colour only.
 constexpr float sharp = 3e-4f;
 
 /// Vertices at equal places count as one: cuts split them.
@@ -41,7 +41,7 @@ double area_of(const CrossSection& section, const glm::uvec3& t) {
   return 0.5 * glm::length(glm::cross(b - a, c - a));
 }
 
-/// Components that no edge joins.
+/// Number of components that are smaller than a `crumb` of this area. Triangles are connected at common places.
 int crumbs_of(const CrossSection& section, double area) {
   const std::vector<std::uint32_t> place = places_of(section.position);
   DisjointSets joined(section.position.size());
@@ -144,7 +144,7 @@ std::size_t fold_at(const FoldSymmetry& symmetry, const glm::dvec3& place) {
   return static_cast<std::size_t>(next - symmetry.fold_angles.begin()) - 1;
 }
 
-/// Whether grains of this kind grow in folds; the cores within them count for nothing.
+/// Whether grains of this kind grow in folds. Cores within grains are not counted.
 bool in_folds(const Template& fruit, const std::string& kind) {
   return std::any_of(fruit.grains.begin(), fruit.grains.end(), [&](const GrainSketch& sketch) {
     return sketch.name == kind && fruit.surfaces[static_cast<std::size_t>(sketch.surface)].type == SurfaceType::in_fold;
@@ -204,7 +204,7 @@ std::map<std::pair<int, int>, glm::dvec3> differences_of(const DiffusionSurfaces
   return means;
 }
 
-/// Where tissues meet: there they are of one place, and so of one ripeness.
+/// Compared where tissues meet, because there they have the same place and so the same ripeness.
 TissueDrift worst_drift(const Template& variant, const GrownFruit& grown, VariantKey key) {
   TissueDrift worst;
   if (variant.variation.color.tissues.empty()) return worst;

@@ -1,5 +1,5 @@
-// What can be measured of one unseen fruit: whether its halves show what the drawing's show, and whether its seeds,
-// its colours and its section are sound.
+// Measurements of one unseen fruit: whether its halves show the parts that the drawing's halves show, and whether its
+// seeds, colours and section are sound.
 #pragma once
 
 #include <map>
@@ -21,8 +21,8 @@ struct FaceFacts {
   int crumbs = 0;   ///< components of the section below a two-thousandth of it
 };
 
-/// Two parts that are one tissue, and by how much the difference of their colours has moved from the drawn one, in
-/// 255ths of sRGB.
+/// Two parts that are one tissue, and how much the difference of their colours differs from the drawn one, in 255ths of
+/// sRGB.
 struct TissueDrift {
   std::string first, second;
   double drift = 0;
@@ -46,7 +46,7 @@ class UnseenFruit {
   /// Seed 0 is the drawing.
   UnseenFacts facts(int seed) const;
 
-  /// Parts that surfaces in folds, grains, and surfaces between them bear: those that a half should show.
+  /// The parts that a half should show: those on surfaces in folds, on grains, and on surfaces between them.
   const std::vector<std::string>& inner_parts() const { return inner_parts_; }
 
  private:

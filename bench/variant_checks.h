@@ -1,4 +1,4 @@
-// The checks of every variant: whether anything crosses, whether it is closed, whether it is connected as drawn.
+// Checks of a variant: does anything cross, is it closed, is it connected as drawn?
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,11 @@ struct VariantSettings {
 
 /// The findings of one variant.
 struct VariantFacts {
-  std::vector<std::string> crossing_curves;  ///< surfaces with a curve that meets itself and is none such as drawn
+  std::vector<std::string> crossing_curves;  ///< surfaces with a curve that meets itself and does not as drawn
   std::map<std::string, int> crossings;      ///< "skin x core": pairs of triangles, where the drawing has none
-  int open_shells = 0;                       ///< number beyond the drawing's
-  /// With the counts of the drawing the same triangles; with others as many for each loop as the drawn folds in turn.
+  int open_shells = 0;                       ///< more than the drawing has
+  /// With the drawing's counts: the same triangles. With other counts: as many for each loop as the drawn folds have,
+  /// in turn.
   bool connected_as_drawn = true;
   double size = 0, slenderness = 0;  ///< logarithms: of the bounds' diagonal in metres, of height over greater width
   std::vector<FoldReport> folds;

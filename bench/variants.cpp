@@ -43,7 +43,7 @@ struct Options {
 /// The least distance of two variants at variation 1, in percent of the size.
 constexpr double stated_distance = 0.01;
 
-/// No two species' sizes or proportions are correlated by more, over this many seeds or more.
+/// Max correlation of the sizes or proportions of two species over this many seeds or more.
 constexpr double stated_correlation = 0.15;
 constexpr int seeds_for_correlation = 1000;
 
@@ -185,7 +185,7 @@ std::string share(const Json& row, const char* of, const char* in) {
   return number(100 * row["steps"][of].get<double>() / all, 1);
 }
 
-/// What must be 0, and how unlike variants are.
+/// Numbers of defects, which must be 0, and distances of variants.
 TextTable soundness(const std::vector<Json>& rows) {
   TextTable table{{"", "variants", "triangles", "with crossing curves", "with new crossings", "open",
                    "connected otherwise", "folds stepped down %", "least distance %", "mean %", "vary ms", "sweep ms"},
@@ -203,7 +203,7 @@ TextTable soundness(const std::vector<Json>& rows) {
   return table;
 }
 
-/// Of natural variants: "size" or "slenderness".
+/// For natural variants; `quantity` is "size" or "slenderness".
 std::vector<SpeciesPair> correlations(const std::vector<Json>& rows, const char* quantity) {
   std::vector<SpeciesSeries> species;
   for (const Json& row : rows) {
@@ -299,7 +299,7 @@ bool is_of(const Json& row, const std::string& name, const VariantSettings& sett
          row["folds"].get<int>() == settings.how.folds.value_or(0);
 }
 
-/// True if variants of this line are as they should be. Distances are only promised of natural ones.
+/// True if the variants of this line are sound. Distances are only promised for natural variants.
 bool is_sound(const Json& row) {
   const Json& defects = row["defects"];
   for (const char* key : {"crossing_curves", "crossing_surfaces", "open", "connected_otherwise"}) {

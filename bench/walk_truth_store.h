@@ -1,4 +1,4 @@
-// The slow truth, kept on disk in small files, so that a stopped run continues where it was.
+// Colours by walks on spheres, kept on disk in small files, so that a stopped run continues where it was.
 #pragma once
 
 #include <filesystem>
@@ -25,8 +25,8 @@ struct WalkTruthOptions {
   std::function<void(std::size_t done, std::size_t total)> progress;  ///< in points
 };
 
-/// Walks at a few hundred points at a time, and writes a file for each such group. If a group's file belongs to the
-/// same surfaces, points and error, it is read instead.
+/// Computes a few hundred points at a time and writes a file for each such group. If a group's file belongs to the same
+/// surfaces, points and error, it is read instead.
 WalkTruth walk_truth(const DiffusionSurfaces& surfaces, std::span<const glm::vec3> points,
                      const WalkTruthOptions& options);
 

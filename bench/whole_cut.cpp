@@ -64,7 +64,7 @@ Subject subject_of(const std::string& name, int triangles) {
   return {std::move(fruit.grown.sheets), std::move(fruit.drawn), std::move(cuts)};
 }
 
-/// Times of the stages that cut() tells of, one list for each, run by run.
+/// Times of the stages that cut() reports: a list for each stage, an entry for each run.
 class StageTimes final : public CutObserver {
  public:
   void took(std::string_view stage, double milliseconds) override { times_[std::string(stage)] += milliseconds; }

@@ -1,4 +1,4 @@
-// pomona check: everything that is wrong with templates, scenes, styles and surface files, at once.
+// pomona check: all errors of templates, scenes, styles and surface files at once.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -64,7 +64,7 @@ std::filesystem::path find_known(const std::string& name) {
   }
 }
 
-/// A drawing by itself: whether it can be read, and the curves in it.
+/// Checks a drawing: whether it can be read, and its curves.
 void check_drawing(const std::filesystem::path& file) {
   constexpr std::size_t max = std::size_t{64} << 20;
   try {
@@ -83,7 +83,7 @@ void check_drawing(const std::filesystem::path& file) {
   }
 }
 
-/// What a file leaves open that templates, scenes or `compare` take, having read it; nothing for one of its own.
+/// Reads a file that templates, scenes or `compare` use; returns its notes, or nothing for other files.
 std::optional<std::vector<std::string>> check_part(const std::filesystem::path& file) {
   const std::string ending = small_ending(file);
   if (ending == ".obj" || ending == ".glb") {
@@ -100,7 +100,7 @@ std::optional<std::vector<std::string>> check_part(const std::filesystem::path& 
   return std::vector<std::string>{};
 }
 
-/// The style that a scene names, if it names one.
+/// Checks the style that a scene names, if any.
 void check_style(const SceneDescription& scene, const std::filesystem::path& folder) {
   if (scene.style.empty()) return;
   try {
@@ -113,7 +113,7 @@ void check_style(const SceneDescription& scene, const std::filesystem::path& fol
   }
 }
 
-/// What closed bodies the surfaces bound: warnings about those that are none.
+/// Warnings about surfaces that do not bound closed bodies.
 std::vector<std::string> body_warnings(const DiffusionSurfaces& surfaces, const std::filesystem::path& file) {
   try {
     const Bodies bodies = find_bodies(surfaces);
@@ -125,7 +125,7 @@ std::vector<std::string> body_warnings(const DiffusionSurfaces& surfaces, const 
   }
 }
 
-/// Reads the file as what it is; surfaces and swept templates are also asked whether they are solid.
+/// Reads the file by its kind; surfaces and swept templates are also checked for solid bodies.
 std::vector<std::string> check_file(const std::filesystem::path& file) {
   if (small_ending(file) == ".ply") return body_warnings(read_surfaces(file), file);
   if (const std::optional<std::vector<std::string>> notes = check_part(file)) return *notes;
@@ -188,7 +188,7 @@ ExitStatus check(const CheckCommand& command) {
       }
       if (!command.json && !command.quiet) std::printf("%s: ok\n", printable_line(name).c_str());
     } catch (const Error& error) {
-      // Missing files weigh less than bad ones: a bad one can be mended from here.
+      // Bad files take precedence over missing ones for the status.
       if (status != ExitStatus::bad_data) status = error.status();
       for (const Diagnostic& diagnostic : error.diagnostics()) {
         found.push_back(as_json(diagnostic, "error"));

@@ -1,4 +1,4 @@
-// pomona compare: whether two pictures are the same, for those who pin what their scenes look like.
+// pomona compare: whether two pictures are the same.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -54,7 +54,7 @@ Tolerance tolerance_of(const CompareCommand& command) {
   return tolerance;
 }
 
-/// The files asked for, in the folders that were looked at before the work.
+/// The requested files; their folders were checked before the work.
 std::vector<OutputFile> files(const CompareCommand& command, const ComparedPictures& pictures,
                               const Comparison& comparison, const Tolerance& tolerance) {
   std::vector<OutputFile> result;
@@ -109,7 +109,7 @@ DeclaredCommand compare_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("compare", "Tell whether two pictures are the same: status 0 or 1");
   const auto options = std::make_shared<CompareCommand>();
 
-  // Two pictures, and how much they may differ by.
+  // Two pictures, and their allowed difference.
   command->add_option("REFERENCE", options->reference, "A picture (.png) as it should be")->required();
   command->add_option("RESULT", options->result, "The picture to look at")->required();
   command
@@ -123,7 +123,7 @@ DeclaredCommand compare_command(CLI::App& app) {
   command->add_option("--never", options->never, "Difference, of 255, that no pixel may exceed")
       ->check(whole_between(0, 255));
 
-  // FLIP judges them as the eye would; its map shows where they differ.
+  // FLIP compares them as the eye does; its map shows the differences.
   command->add_option("--flip", options->flip, "Largest mean FLIP, 0 to 1")->check(between(0.0, 1.0));
   command->add_option("--ppd", options->pixels_per_degree, "Pixels per degree of the eye's field; the default is 67")
       ->check(between(5.0, 500.0));

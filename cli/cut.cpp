@@ -83,7 +83,7 @@ void cut_one(const std::string& word, const Order& order, const DeliverOptions& 
 }
 
 ExitStatus cut_fruit(const CutCommand& command) {
-  // Everything that can be wrong with the words is told before the work begins.
+  // Report all errors of the command line before the work begins.
   const Order order = read_order(
       command.typed, command.typed.texts_of("section").empty() ? formats_of(OrderTaker::cut) : section_formats());
   check_order(order, OrderTaker::cut, command.telling);

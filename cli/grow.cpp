@@ -43,7 +43,7 @@ void grow_one(const std::string& word, const Order& order, const DeliverOptions&
 }
 
 ExitStatus grow_fruit(const GrowCommand& command) {
-  // Outputs that cannot be are refused before anything is grown.
+  // Refuse impossible outputs before anything is grown.
   const Order order = read_order(command.typed, formats_of(OrderTaker::grow));
   check_order(order, OrderTaker::grow, command.telling);
   CommandReport report(command.telling);

@@ -1,4 +1,4 @@
-// pomona list: what can be grown, the scenes, the batches, and the styles to draw in.
+// pomona list: templates, scenes, batches and styles.
 #include <cstdio>
 #include <filesystem>
 #include <memory>

@@ -118,7 +118,7 @@ std::optional<std::string> fault_of_options(const NamedCommand& named, const std
   return {};
 }
 
-/// Mistakes in the words for which there are better messages than the parser's.
+/// Errors of the command line with better messages than the parser's.
 std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& arguments) {
   const NamedCommand named = named_command(app, arguments);
   if (const auto fault = fault_of_command(named, arguments)) return *fault;

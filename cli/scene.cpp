@@ -41,7 +41,7 @@ void tell(const ComposeReport& composed, CommandReport& report) {
 }
 
 ExitStatus compose_scene(const SceneCommand& command) {
-  // Outputs that cannot be are refused before anything is composed.
+  // Refuse impossible outputs before anything is composed.
   const Order typed = read_order(command.typed, formats_of(OrderTaker::scene));
   check_order(typed, OrderTaker::scene, command.telling);
   CommandReport report(command.telling);

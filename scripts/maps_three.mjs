@@ -30,7 +30,7 @@ const scene = new THREE.Scene();
 scene.background = new THREE.Color(0xf7f3eb);
 scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.03).texture;
 scene.environmentIntensity = 0.35;
-fruit.rotation.x = -70 * Math.PI / 180;  // the face looks up, as a half lies on a table
+fruit.rotation.x = -70 * Math.PI / 180;  // the face points up, like a half on a table
 scene.add(fruit);
 const box = new THREE.Box3().setFromObject(fruit, true), middle = box.getCenter(new THREE.Vector3());
 const reach = box.getSize(new THREE.Vector3()).length() / 2;

@@ -1,4 +1,5 @@
-// How long a page takes to open and to draw, in Chromium without a graphics card, and how much its look-up reads.
+// Measures how long a page takes to open and to draw, in Chromium without a graphics card, and how much its look-up
+// reads.
 //   node scripts/page_times.mjs FILE.html FILE.pomona [RUNS [WAIT]]      medians; wants an idle machine; needs `npm ci`
 //   and chromium
 // WAIT: milliseconds for which the browser has been open before. One that has just been started is still busy with
@@ -16,7 +17,7 @@ const [page, asset, runs = '5', wait = '0'] = process.argv.slice(2), side = 256;
 const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1];
 console.log(`load average before: ${loadavg()[0].toFixed(1)}`);
 
-// Reads of a section through the middle, across: one for the cell and the eight corners' colours, or, beside surfaces,
+// Texture reads of a section across the middle: one for the cell and the eight corners' colours, or, beside surfaces,
 // an entry of the list and two texels for each triangle, and up to nine sides or nodes.
 const fruit = Asset.decoded(new Uint8Array(inflateSync(readFileSync(asset).subarray(8))));
 const lists = LookUp.cells(fruit), hull = LookUp.range(fruit), reads = [];
@@ -32,10 +33,7 @@ console.log(`reads for a pixel of a section: mean ${
   (reads.reduce((a, b) => a + b, 0) / reads.length).toFixed(1)}, 95th percentile ${
   reads[Math.floor(0.95 * reads.length)]}, most ${reads[reads.length - 1]}`);
 
-/**
- * Seconds of processor time that a process and all it has started have taken: what others do at the time does not
- * count.
- */
+/** Seconds of processor time of a process and its children, independent of other processes. */
 function processorTime(root) {
   const found = new Map();
   for (const pid of readdirSync('/proc').filter((name) => /^\d+$/.test(name))) {
@@ -72,7 +70,7 @@ for (let run = 0; run < Number(runs); ++run) {
     await tab.waitForFunction('window.pomona && pomona.loads.cut', {polling: 5, timeout: 300000});
     const processor = 1000 * (processorTime(browser.process().pid) - before);
     await tab.waitForFunction('pomona.loads.fine', {timeout: 300000});
-    // A hand that drags: pointers move at every frame. Then it rests, and the picture grows fine.
+    // Simulate a drag: the pointer moves at every frame. Then it rests, and the picture becomes fine.
     await tab.waitForFunction('pomona.board.settled', {timeout: 300000});
     const turned = await tab.evaluate(`(async () => {
       const {board, picture} = pomona, own = picture.draw,

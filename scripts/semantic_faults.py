@@ -144,17 +144,17 @@ def report():
     text = ["# Faults of meaning, and which tests see them", "",
             "Written by `make semantic-faults`. Each fault is one that a person makes: a wrong frame, unit, mask, key or order, a",
             "value of the item before. All are compiled into one program, each behind a switch",
-            "(`tests/semantic_faults.toml` has their texts), and shown to the tests of `tests/meaning` and a few of `tests/cli`; none",
-            "of these compares with a golden.", ""]
+            "(`tests/semantic_faults.toml` has their texts, and what a user gets), and shown to tests of `tests/meaning` and a few",
+            "of `tests/cli`; none of these compares with a golden.", ""]
     for group, title in groups.items():
         chosen = [fault for fault in faults().values() if fault.get("group", "ours") == group]
         if not chosen:
             continue
         seen = [fault for fault in chosen if rows.get(key_of(fault), ["not seen"])[0] != "not seen"]
-        text += [f"## {title}: {len(seen)} of {len(chosen)} seen", "", "| file | fault | what a user gets | seen by |", "|---|---|---|---|"]
+        text += [f"## {title}: {len(seen)} of {len(chosen)} seen", "", "| file | fault | seen by |", "|---|---|---|"]
         for fault in chosen:
             by = rows.get(key_of(fault), ["not shown"])[0]
-            text.append(f"| `{fault['file']}` | {fault['kind']} | {fault['user']} | {by.replace('_', ' ')} |")
+            text.append(f"| `{fault['file']}` | {fault['kind']} | {by.replace('_', ' ')} |")
         text.append("")
     REPORT.write_text("\n".join(text), encoding="utf-8")
 

@@ -1,5 +1,5 @@
-// The pictures of docs/guides/studio.md: an orange is drawn over two pictures of one, by the mouse and the keys, and
-// each step is kept.
+// Makes the pictures of docs/guides/studio.md: draws an orange over two pictures of one, by mouse and keys, and saves
+// each step.
 //   node scripts/studio_pictures.mjs build/pomona docs/pictures/studio [FOLDER]      needs `npm ci` and chromium
 // The pictures that are drawn over are Pomona's own, of a template that this script writes: CC0, as everything in
 // templates is.
@@ -90,7 +90,7 @@ try {
   const key = (name) => tab.keyboard.press(name);
   await keep('start');
 
-  // Where the pictures show their orange: the box of what is no paper.
+  // The place of the orange in the pictures: the box of all pixels that are not paper.
   const boxes = await session.evaluate(() => Object.fromEntries(studio.drawing.images.map((picture) => {
     const loaded = studio.pictures.get(picture.href), {width, height} = loaded.image;
     const {data} = loaded.pixels.getImageData(0, 0, width, height);
@@ -109,7 +109,7 @@ try {
   })));
   console.log(JSON.stringify(boxes));
 
-  // The axis onto the middle of the fruit, the scale along its width, and how long that is.
+  // Put the axis on the middle of the fruit, the scale along its width, and set its length.
   for (const view of ['side', 'top']) {
     const [low, high] = boxes[view], middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
     await session.evaluate((v, l, h, m) => {
@@ -126,7 +126,7 @@ try {
     }, view, low, high, middle);
   }
   await session.evaluate((boxes) => {
-    // Fold lines onto the membranes.
+    // Put fold lines on the membranes.
     const [low, high] = boxes.top, middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
     const reach = 0.55 * (high[0] - low[0]);
     for (let k = 0; k < 10; ++k) {
@@ -142,7 +142,7 @@ try {
   await key('f');
   await keep('measure');
 
-  // The outlines: traced by the colour of what they surround.
+  // Trace the outlines by the colours inside them.
   const [low, high] = boxes.side, size = high[0] - low[0], middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
   const [tlow, thigh] = boxes.top, tsize = thigh[0] - tlow[0];
   const tmiddle = [(tlow[0] + thigh[0]) / 2, (tlow[1] + thigh[1]) / 2];
@@ -165,7 +165,7 @@ try {
       'top', 'chambers', [tmiddle[0] + 0.28 * tsize * Math.cos(a), tmiddle[1] - 0.28 * tsize * Math.sin(a)], k);
   }
   await key('v');
-  // The core is drawn by hand: its curve is moved, node by node, into the white around the axis.
+  // Draw the core by hand: move its curve, node by node, into the white around the axis.
   await session.evaluate((m, s) => {
     const core = studio.drawing.curves.find((c) => c.view === 'side' && c.name === 'core'), x = m[0];
     const part = {
@@ -180,7 +180,7 @@ try {
   }, middle, size);
   await keep('outlines');
 
-  // Colours: each is chosen on the right, then taken from the picture.
+  // Colours: select each on the right, then take it from the picture.
   const pick = async (surface, side, view, place) => {
     await session.evaluate((name, of) => {
       // One colour for the whole side.
@@ -203,7 +203,7 @@ try {
   await session.evaluate('studio.select(null)');
   await keep('colours');
 
-  // A blush: a coat over the skin, painted from the side along its curve and from above around the axis.
+  // A blush: a coat over the skin, painted in the side view along its curve and in the top view around the axis.
   await tab.click('[data-cut="whole"]');
   await key('n');
   await session.evaluate(() => {

@@ -1,4 +1,4 @@
-// The picture: every pixel the mean of its samples, each lit; ink comes later. PAPER: where there is no fruit.
+// The picture: every pixel is the mean of its lit samples; ink comes later. PAPER: where there is no fruit.
 #include "gbuffer.glsl"
 #include "lit.glsl"
 #include "paper.glsl"
@@ -13,8 +13,8 @@ uniform bool translucent;
 uniform sampler2D arrives;  // sunlight through the fruit
 uniform sampler2D leaves;
 uniform bool hairy;
-uniform sampler2D hairs;  // before all else
-uniform sampler2D glass;  // all layers of what is see-through
+uniform sampler2D hairs;  // in front of everything else
+uniform sampler2D glass;  // all transparent layers
 uniform int samples_per_side;
 uniform bool see_through;
 uniform vec3 shadow_color;  // of a wash on white paper
@@ -30,7 +30,7 @@ uniform sampler2D guide_shares;  // of each detail
 
 layout(location = 0) out vec4 picture;
 
-// The coarser light of the neighbour that lies at the sample's own distance.
+// The coarse light of the neighbour with the sample's distance.
 Seen light_at(ivec2 pixel, float distance_to) {
   ivec2 size = textureSize(light, 0);
   ivec2 from = pixel;
@@ -51,7 +51,7 @@ Seen light_at(ivec2 pixel, float distance_to) {
   return Seen(best.x, best.y, texelFetch(arrives, from, 0).rgb, texelFetch(leaves, from, 0).rgb);
 }
 
-// What is nearest at a sample, or the mean of a pixel's.
+// The nearest surface at a sample, or the mean over a pixel.
 struct Nearest {
   float depth;
   uint id;
@@ -78,15 +78,15 @@ Nearest nearest_at(ivec2 at) {
   return found;
 }
 
-// The mean of a pixel's samples if all show one smooth face of one thing, or all show nothing. Noise is no finer than a
-// pixel; details have sharp edges, and want all samples. Else false.
+// The mean of a pixel's samples if all show the same smooth face, or nothing; else false. Noise is no finer than a
+// pixel, but details have sharp edges and need all samples.
 bool is_one(ivec2 pixel, out Nearest mean) {
   mean = nearest_at(pixel * samples_per_side);
 #ifdef DETAILED
   if (mean.guide_share != vec4(0.0)) return false;
 #endif
   float near = mean.depth, far = mean.depth;
-  int count = samples_per_side * samples_per_side, i = min(1, count - 1);  // a sample alone is compared with itself
+  int count = samples_per_side * samples_per_side, i = min(1, count - 1);  // a single sample is compared with itself
   do {
     Nearest other = nearest_at(pixel * samples_per_side + ivec2(i % samples_per_side, i / samples_per_side));
     if (other.id != mean.id || other.albedo.a != mean.albedo.a) return false;
@@ -107,7 +107,7 @@ bool is_one(ivec2 pixel, out Nearest mean) {
   return distance_from_depth(far) < 1.01 * distance_from_depth(near);
 }
 
-// A layer before all else, at a sample or, as a mean, at all of a pixel's. Premultiplied.
+// A layer in front of everything, at a sample or as the mean of a pixel. Premultiplied.
 vec4 layer_at(sampler2D layer, ivec2 pixel, int sample_index, bool all) {
   vec4 sum = vec4(0.0);
   int count = all ? samples_per_side * samples_per_side : 1, i = 0;
@@ -119,7 +119,7 @@ vec4 layer_at(sampler2D layer, ivec2 pixel, int sample_index, bool all) {
 }
 
 #if defined(WINDOW) && !defined(PAPER)
-// Juice climbs the walls that hold a wet part: it leans away from them over half a millimetre (a meniscus).
+// Juice climbs the walls around a wet part: over half a millimetre its surface leans away from them (a meniscus).
 vec3 beside_rim(vec3 n, Nearest nearest, vec2 at, Material m) {
   float climbs = juice * smoothstep(1.1, 2.0, m.wet) * exp(-nearest.rim / 0.45);
   if (climbs < 0.02) return n;
@@ -139,7 +139,7 @@ vec3 beside_rim(vec3 n, Nearest nearest, vec2 at, Material m) {
 #endif
 
 #ifdef WINDOW
-// A little juice on the table, next to what lies on it: it darkens the table, and mirrors the window at its edge.
+// A little juice on the table next to pieces: it darkens the table, and reflects the window at its edge.
 vec3 with_juice(vec3 table, float wetness, vec3 place, vec3 to_eye) {
   float uneven = gradient_noise(place * 70.0, 451u) + 0.35 * gradient_noise(place * 190.0, 452u);
   float depth = wetness + 0.25 * uneven - 0.2;
@@ -162,7 +162,7 @@ vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to,
   vec3 ray = vec3(ndc * tangent, -1.0) * distance_to;
   vec3 to_eye = normalize(mat3(camera_to_scene) * -ray);
 
-  // The noise, where the point lies in its fruit; a pixel covers more of a slanted face.
+  // The noise at the point in its fruit; a pixel covers more of a slanted face.
   uint instance = instance_of(nearest.id);
   bool cut = is_cut(nearest.id);
   vec3 fruit_position = in_fruit(instance, (camera_to_scene * vec4(ray, 1.0)).xyz);
@@ -199,7 +199,7 @@ vec3 sample_color(Nearest nearest, vec2 at, vec2 size, ivec2 pixel, vec3 ground,
   if (nearest.depth < 1.0) {
     float distance_to = distance_from_depth(nearest.depth);
     Seen seen = light_at(pixel, distance_to);
-    // The table is the paper, with a wash of shadow on it.
+    // The table is paper with a wash of shadow.
     color *= mix(shadow_color, vec3(1.0), seen.sun) * mix(0.82 * shadow_color, vec3(1.0), seen.sky);
 #ifdef WINDOW
     float wetness = juice > 0.0 ? texelFetch(light, pixel, 0).w : 0.0;
@@ -217,7 +217,7 @@ vec3 sample_color(Nearest nearest, vec2 at, vec2 size, ivec2 pixel, vec3 ground,
 }
 
 void main() {
-  // The picture's rows run down.
+  // Rows of the picture run down.
   vec2 size = vec2(textureSize(depth, 0));
   ivec2 from_top = ivec2(gl_FragCoord.xy);
   ivec2 pixel = ivec2(from_top.x, textureSize(light, 0).y - 1 - from_top.y);

@@ -19,8 +19,8 @@ uint lattice_hash(ivec3 cell, uint seed) {
 vec3 tens_of_bits(uint hash) { return vec3(hash & 1023u, (hash >> 10) & 1023u, (hash >> 20) & 1023u); }
 float share_of(uint hash) { return float(hash >> 8) / 16777216.0; }
 
-// Distances to the nearest and second nearest feature point, and the nearest one's cell's own share; anything where
-// nothing `counts`.
+// Distances to the nearest and second nearest feature point, and the random share of the nearest one's cell; undefined
+// where nothing `counts`.
 vec3 cell_place(vec3 point, uint seed, bool counts) {
   vec3 low = floor(point), within = point - low;
   float nearest = 8.0, second = 8.0;
@@ -49,7 +49,7 @@ float dots(vec3 point, float pitch, float density, float smallest, float softnes
   return 1.0 - smoothstep(0.9 * (1.0 - softness), 1.0, length(away) / radius);
 }
 
-// A place in the pattern; w: how much finer it is here than its size says.
+// A place in the pattern; w: how much finer the pattern is here than its size.
 vec4 pattern_place(int run, vec4 sizes, vec2 fruit, vec3 position, vec4 way_layer) {
   if (run == runs_nowhere) return vec4(position / sizes.x, 1.0);
   float radius = max(length(position.xz), 1e-9);
@@ -82,8 +82,8 @@ float line_noise(vec3 p, float fine, uint seed, int octaves) {
   return sum;
 }
 
-// The pattern's share and tone; `fine`: how much of what is finer than the size is shown. The bounds of loops say how often they
-// turn where their branch is taken; where it is not, software renderers run them once.
+// The pattern's share and tone; `fine`: how much of the finer structure is shown. The bounds of loops are their numbers
+// of turns if their branch is taken; if it is not, software renderers run them once.
 vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
   vec4 sizes = texelFetch(detail_styles, detail + 1), form = texelFetch(detail_styles, detail + 2);
   vec4 line = texelFetch(detail_styles, detail + 5);
@@ -117,7 +117,7 @@ vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
   return vec2(1.0 - risen, -form.z * risen * (1.0 - smoothstep(rim + soft, rim + 3.0 * soft, border)));
 }
 
-// A detail's pattern at a place of the fruit, as far as it is not too fine to be shown. `kind`: the detail's.
+// A detail's pattern at a place of the fruit, faded if it is too fine for the picture. `kind`: the detail's.
 vec2 shown_pattern(int detail, int kind, vec3 position, float footprint, vec4 way_layer) {
   vec4 sizes = texelFetch(detail_styles, detail + 1);
   vec4 place = pattern_place(int(texelFetch(detail_styles, detail).y), sizes, texelFetch(detail_styles, detail + 6).xy,
@@ -127,7 +127,7 @@ vec2 shown_pattern(int detail, int kind, vec3 position, float footprint, vec4 wa
   return mix(texelFetch(detail_styles, detail + 5).zw, here, 1.0 - smoothstep(0.25, 0.5, cycles));
 }
 
-// The way to the skin and the layer at a place beside (render/style/relief.cpp).
+// The direction to the skin and the layer at a neighbouring place (render/style/relief.cpp).
 vec4 guide_beside(vec4 way_layer, vec3 step_away) {
   float way = length(way_layer.xyz);
   if (way < 1e-6) return way_layer;
@@ -139,8 +139,8 @@ struct Detailed {
   vec3 color, normal;
 };
 
-// A modulated colour with a solid's details on it, and a scene's normal tilted by the slope of their height, metres (the
-// mirror of Look::height in render/style/look.cpp). Weights go by the colour before its modulation. The columns of
+// A modulated colour with a solid's details, and the scene's normal tilted by the slope of their height in metres (the
+// mirror of Look::height in render/style/look.cpp). Weights depend on the colour before its modulation. The columns of
 // `to_fruit` are the scene's directions in the fruit.
 Detailed detailed(vec3 color, vec3 normal, vec3 unmodulated, mat3 to_fruit, vec3 position, float footprint, int solid,
                   bool cut, vec4 way_layer, vec4 share) {
@@ -148,7 +148,7 @@ Detailed detailed(vec3 color, vec3 normal, vec3 unmodulated, mat3 to_fruit, vec3
   vec3 first = normalize(cross(abs(normal.y) < 0.8 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), normal));
   vec3 second = cross(normal, first);
   float by = max(0.5 * footprint, 1e-5);
-  vec3 height = vec3(0.0);  // here, and a step away each way
+  vec3 height = vec3(0.0);  // here, and one step away along each axis
   bool changed = false, risen = false;
 
   int of_face = detail_texels * details_of_a_face * (2 * solid + (cut ? 0 : 1)), i = 0;

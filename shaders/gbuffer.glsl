@@ -1,4 +1,4 @@
-// How the passes of a scene share what they know of a pixel.
+// The data of a pixel that the passes of a scene share.
 
 // An id: bits 0-10 tell surfaces and cut faces apart, bit 11 marks cut faces, bits 12-30 hold the instance's number
 // from 1 (0: ground or nothing).
@@ -32,11 +32,12 @@ float distance_from_depth(float depth) {
   return depth_range.x * depth_range.y / (depth_range.y - depth * (depth_range.y - depth_range.x));
 }
 
-// The same number for a pixel every time, spread evenly over its neighbours [Jimenez 2014].
+// A fixed number for each pixel, evenly distributed over neighbours [Jimenez 2014].
 float interleaved(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
 
-// Places spread evenly over a disc [Vogel 1979]: each a golden angle on from the one before, at sqrt((i + 0.5) / count) of the
-// radius. A pixel turns them by its own angle; from one to the next a product takes the place of sine and cosine.
+// Places evenly distributed over a disc [Vogel 1979]: each a golden angle after the previous one, at sqrt((i + 0.5) /
+// count) of the radius. Each pixel turns them by its own angle; a product from one to the next replaces sine and
+// cosine.
 const mat2 golden_angle = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888);
 
 float spiral_radius(int i, int count) { return sqrt((float(i) + 0.5) / float(count)); }

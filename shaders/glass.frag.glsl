@@ -1,4 +1,5 @@
-// The nearest of what is see-through behind the last layer. Cheap: most of what is drawn here is hidden again.
+// The nearest transparent surface behind the last layer. It does little, because most of what is drawn here is hidden
+// again.
 #ifdef ALL_THAT_IS_LEFT
 #include "glass_film.glsl"
 #endif
@@ -12,7 +13,7 @@ in vec3 plain_color;
 #ifdef ALL_THAT_IS_LEFT
 in vec3 scene_point;
 
-// Sums over all that is left, in any order.
+// Sums over all remaining surfaces, in any order.
 layout(location = 0) out vec4 layer;
 layout(location = 1) out vec4 thickness;
 #else

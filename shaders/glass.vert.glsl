@@ -1,4 +1,4 @@
-// A vertex of what is see-through, with the cosine at which it is seen.
+// A vertex of a transparent solid, with the cosine of its viewing angle.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 color;

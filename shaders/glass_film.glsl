@@ -1,14 +1,14 @@
-// What one layer of what is see-through adds to a picture.
+// The contribution of one transparent layer to a picture.
 #include "gbuffer.glsl"
 #include "lit.glsl"
 
 uniform vec3 eye;  // scene
 uniform bool inked;
 
-const float least_cosine = 0.06;  // a film seen edge on is not endlessly thick
+const float least_cosine = 0.06;  // limits the thickness of a film seen edge-on
 
-// 1 on the contour, where the surface turns away from the eye, to 0 a line's width beside it. `slope` is what the cosine
-// changes by from sample to sample.
+// From 1 on the contour, where the surface turns away from the eye, to 0 at a line's width beside it. `slope` is the
+// change of the cosine from sample to sample.
 float contour(float cosine, float slope, float width) {
   float samples_away = abs(cosine) / max(slope, 1e-5);
   return 1.0 - smoothstep(0.3 * width, width, samples_away);
@@ -19,7 +19,7 @@ vec4 film(vec3 color, vec3 normal, vec3 to_eye, float slope, uint instance) {
   vec3 n = dot(normal, to_eye) < 0.0 ? -normal : normal;
   float cosine = dot(n, to_eye);
 
-  // The longer the way of the light through a film, the more of it is kept.
+  // The longer the path of the light through a film, the more of it is absorbed.
   float through = -log(1.0 - pen_of(instance).w) / max(cosine, least_cosine);
   float coverage = 1.0 - exp(-through);
   vec3 lit = dull_color(color, n, vec2(1.0), false);

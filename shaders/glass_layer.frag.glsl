@@ -1,4 +1,4 @@
-// One layer, lit, or all that is left after the last of them: colour times coverage, and coverage.
+// One lit layer, or everything after the last layer: colour times coverage, and coverage.
 #ifdef ALL_THAT_IS_LEFT
 uniform sampler2D layer;
 uniform sampler2D thickness;
@@ -18,7 +18,7 @@ layout(location = 0) out vec4 color;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
 #ifdef ALL_THAT_IS_LEFT
-  // Sums: the mean colour by coverage, with what all cover together.
+  // Sums: the mean colour by coverage, with the joint coverage of all.
   vec4 sum = texelFetch(layer, at, 0);
   float together = 1.0 - exp(-texelFetch(thickness, at, 0).r);
   color = sum.a > 0.0 ? vec4(sum.rgb / sum.a, 1.0) * together : vec4(0.0);

@@ -1,4 +1,4 @@
-// Where a layer may lie at all: before what is opaque, and nowhere where nothing behind would be seen.
+// Where a layer may lie: in front of opaque surfaces, and nowhere if nothing behind would be visible.
 uniform sampler2D opaque_depth;
 uniform sampler2D gathered;
 

@@ -7,7 +7,7 @@ layout(location = 4) out vec4 guide_share;
 #endif
 
 void main() {
-  albedo = vec4(1.0);  // the paper's colour comes with its grain, at the end
+  albedo = vec4(1.0);  // the last pass adds the paper's colour with its grain
   normal_line = vec4(0.0, 1.0, 0.0, 0.0);
   id = 0u;
 #ifdef DETAILED

@@ -3,7 +3,7 @@
 #include "lit.glsl"
 
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 along;   // the hair's way here
+layout(location = 1) in vec3 along;   // the hair's direction here
 layout(location = 2) in vec3 color;
 layout(location = 3) in vec4 normal;  // of the skin at its root; 0 at the root to 1 at the tip
 
@@ -16,7 +16,7 @@ uniform sampler2D light;     // sky, sun, distance
 
 out vec4 hair;  // colour times coverage, coverage
 
-const float hair_width = 0.00011;  // metres: twice a real one's, so that fuzz reads in small pictures
+const float hair_width = 0.00011;  // metres: twice that of real hair, so that fuzz is visible in small pictures
 
 void main() {
   vec4 scene_point = placement * vec4(position, 1.0);
@@ -25,7 +25,7 @@ void main() {
   gl_Position = projection * scene_point;
   gl_Position.z -= 1e-5 * gl_Position.w;
 
-  // The light at its root, as the skin there has it.
+  // The light at its root is that of the skin.
   vec2 ndc = gl_Position.xy / gl_Position.w;
   vec2 seen = textureLod(light, 0.5 + 0.5 * ndc, 0.0).xy;
   float across = sqrt(max(1.0 - dot(t, to_light) * dot(t, to_light), 0.0));

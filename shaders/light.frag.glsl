@@ -1,6 +1,5 @@
-// How much of the sky and of the light a pixel sees: ambient obscurance [McGuire et al. 2011] from the depth of its
-// surroundings, and a shadow map looked up with a radius that grows with the distance of what casts the shadow
-// [Fernando 2005].
+// How much of the sky and of the light reaches a pixel: ambient obscurance [McGuire et al. 2011] from the depth of its
+// surroundings, and a shadow map with a filter radius that grows with the distance of the occluder [Fernando 2005].
 #include "gbuffer.glsl"
 
 uniform usampler2D ids;
@@ -10,18 +9,18 @@ uniform sampler2D shadow_map;
 uniform int samples_per_side;
 uniform vec2 tangent;         // of half the field of view
 uniform mat4 view;            // scene to camera
-uniform mat4 camera_to_light; // camera to the shadow map's box, 0..1 each way
-uniform float reach;          // metres over which things take each other's sky
+uniform mat4 camera_to_light; // camera to the shadow map's box, 0..1 along each axis
+uniform float reach;          // metres over which objects occlude each other's sky
 uniform float light_size;     // share of the shadow map's side per unit of its depth
 uniform vec2 shadow_bias;     // metres along the normal; depth
-uniform vec2 strengths;       // of what surroundings take; of shadows
-uniform sampler2D lowest;     // how high over the table something begins, shares of its reach; 1: nothing
-uniform mat4 camera_to_table; // camera to that map's box, 0..1 each way
-uniform vec2 table_reach;     // over which the table loses sky: metres, and a share of the map's side
+uniform vec2 strengths;       // of occlusion by surroundings; of shadows
+uniform sampler2D lowest;     // lowest height of objects over the table, as a share of its reach; 1: nothing
+uniform mat4 camera_to_table; // camera to that map's box, 0..1 along each axis
+uniform vec2 table_reach;     // reach of occlusion of the table: metres, and a share of the map's side
 
 layout(location = 0) out vec4 light;  // sky, light, distance
 
-// Whether a pixel shows nothing but paper and table: none of its samples lies on a piece.
+// True if a pixel shows only paper and table: none of its samples is on a piece.
 bool is_paper(ivec2 first) {
   uint pieces = 0u;
   int i = 0;
@@ -40,9 +39,9 @@ vec3 camera_point(ivec2 sample_at, vec2 size, out float distance_to) {
 const int shadow_finds = 16, shadow_looks = 32;
 uniform float juice_reach;  // metres
 
-// The share of a small circle around a place on the table above which something all but touches it.
+// The share of a small circle around a place on the table above which an object nearly touches the table.
 float juice_at(vec3 p) {
-  vec2 direction = vec2(1.0, 0.0);  // the same everywhere: what it gives is not smoothed
+  vec2 direction = vec2(1.0, 0.0);  // the same everywhere, because the result is not smoothed
   vec2 here = (camera_to_table * vec4(p, 1.0)).xy;
   float near = 0.0;
   const int count = 32;
@@ -65,7 +64,7 @@ float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 dire
   float taken = 0.0;
   int i = 0;
   do {
-    vec2 step_away = (float(i) + 0.5) / float(count) * direction;  // denser near the point: contacts count most
+    vec2 step_away = (float(i) + 0.5) / float(count) * direction;  // denser near the point, because contacts count most
     direction = golden_angle * direction;
     ivec2 there = clamp(at + ivec2(step_away * radius), ivec2(0), ivec2(size) - 1);
     float beyond;
@@ -73,7 +72,7 @@ float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 dire
     float squared = dot(v, v);
     float rise = dot(v, n) - 0.0015 * distance_to;
     float fade = max(0.0, 1.0 - squared / (reach * reach));
-    // Where nothing is there is no wall either: the table's far end stays clean.
+    // An empty pixel is no wall, so that the table's far end stays clean.
     fade = beyond < 0.999 * depth_range.y ? fade : 0.0;
     taken += fade * fade * max(rise, 0.0) * inversesqrt(squared + 1e-4 * reach * reach);
   } while (++i < count);
@@ -81,7 +80,7 @@ float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 dire
 }
 
 #ifdef WINDOW
-// The same over a fifth of the reach: where pieces touch.
+// The same over a fifth of the reach, for contacts of pieces.
 float sky_nearby(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 direction) {
   const int count = 16;
   float near = 0.2 * reach, radius = near / distance_to / tangent.y * 0.5 * size.y, taken = 0.0;
@@ -98,8 +97,8 @@ float sky_nearby(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 di
 }
 #endif
 
-// How much of what lies around on the picture belongs to another piece a little nearer than this place: what painters
-// deepen, so that each piece comes off the one behind it [Luft et al. 2006]. Paper stays clean.
+// The share of the picture's neighbourhood that belongs to another, slightly nearer piece. Painters darken such places,
+// so that each piece stands out from the one behind it [Luft et al. 2006]. Paper stays clean.
 float behind_others(float distance_to, ivec2 at, vec2 size, vec2 direction) {
   uint mine = instance_of(texelFetch(ids, at, 0).r);
   if (mine == 0u) return 0.0;
@@ -119,8 +118,8 @@ float behind_others(float distance_to, ivec2 at, vec2 size, vec2 direction) {
   return standing / all;
 }
 
-// What the table sees of the sky beside and under what stands on it, however much of that the eye sees: each piece is
-// seen to stand, and not to hover.
+// How much sky reaches the table beside and under pieces, whether or not the eye sees them, so that each piece visibly
+// stands and does not hover.
 float sky_over_table(vec3 p, vec2 direction) {
   const int count = 24;
   vec2 here = (camera_to_table * vec4(p, 1.0)).xy;
@@ -140,7 +139,7 @@ float light_seen(vec3 p, vec3 n, vec2 direction) {
   if (any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0)))) return 1.0;
   float here = q.z - shadow_bias.y;
 
-  // How far away is what is in the way?
+  // The distance of the occluder.
   float gap = 0.0, found = 0.0;
   vec2 way = direction;
   int i = 0;
@@ -167,7 +166,7 @@ void main() {
   vec2 size = vec2(textureSize(depth, 0));
   ivec2 first = ivec2(gl_FragCoord.xy) * samples_per_side, at = first + samples_per_side / 2;
 
-  // The last pass finds fruit by a test of depth, in whole blocks of pixels; its rows run down.
+  // The last pass finds fruit by a depth test, in whole blocks of pixels; its rows run down.
   gl_FragDepth = is_paper(ivec2(first.x, int(size.y) - samples_per_side - first.y)) ? 1.0 : 0.0;
   if (texelFetch(depth, at, 0).r == 1.0) {
     light = vec4(1.0, 1.0, depth_range.y, 0.0);

@@ -1,9 +1,9 @@
-// How a surface takes the light.
+// How a surface is lit.
 #include "material.glsl"
 
 uniform vec3 to_light;  // unit, scene
 uniform float gloss;
-uniform vec2 light_strengths;  // of the light, of what comes from all sides
+uniform vec2 light_strengths;  // of the light, of the ambient light
 
 #ifdef WINDOW
 #include "window.glsl"
@@ -15,10 +15,10 @@ const vec3 sun = vec3(0.74, 0.70, 0.62);
 const vec3 sky = vec3(0.47, 0.50, 0.54);
 const vec3 bounce = vec3(0.40, 0.36, 0.31);
 #endif
-const float film_frequency = 95.0;  // of the swells of a film of juice, cycles per metre
+const float film_frequency = 95.0;  // of the waves of a film of juice, cycles per metre
 
-// What is known of the light at a place: how much of the sky and of the sun reaches it, and of each colour of the
-// sunlight the share that comes to it through the fruit, and that would leave the fruit behind it.
+// The light at a place: how much of the sky and of the sun reaches it, and for each colour the share of the sunlight
+// that arrives through the fruit, and that would leave the fruit behind the place.
 struct Seen {
   float sky, sun;
   vec3 arrives, leaves;
@@ -27,7 +27,7 @@ struct Seen {
 // Sunlight on a face, soft and wrapped.
 float wrapped(float cosine) { return clamp((cosine + 0.35) / 1.35, 0.0, 1.0); }
 
-// The share of the light that goes in deep where a part lets light in.
+// The share of the light that enters deeply where a part lets light in.
 float let_in(float depth) { return 0.85 * depth / (depth + 0.001); }
 
 vec3 sky_at(float up, float seen) {
@@ -35,9 +35,9 @@ vec3 sky_at(float up, float seen) {
 }
 
 #ifdef WINDOW
-// A large light: less wrapped than a drawing's. What leaves a piece through its face falls on the table below and most
-// of it comes back, so that thin slices stay as bright as thick ones; what comes through from behind has the colour of
-// what it went through once more.
+// A large light, less wrapped than a drawing's. Most of the light that leaves a piece through its face comes back from
+// the table, so that thin slices are as bright as thick ones; light from behind has passed through the colour once
+// more.
 vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
   float towards = dot(n, to_light), key = clamp((towards + 0.22) / 1.22, 0.0, 1.0);
   if (cut) key = mix(key, 0.82, 0.3);
@@ -53,20 +53,20 @@ vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
 }
 #else
 vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
-  // On cut faces flatter still, so that their colours are what one sees.
+  // Even flatter on cut faces, so that their colours dominate.
   float key = wrapped(dot(n, to_light));
   if (cut) key = mix(key, 0.8, 0.45);
   float open_sky = mix(0.7, 1.0, seen.sky);
   float lit = key * mix(0.12, 1.0, seen.sun) * open_sky;
 
-  // What passes through is taken from where it goes in and given where it comes out, less what the wrapped light there
-  // has already, and less a tenth that is absorbed.
+  // Transmitted light is removed where it enters and added where it leaves, minus the wrapped light that is already
+  // there, and minus a tenth that is absorbed.
   float beyond = max(wrapped(-dot(n, to_light)) - wrapped(dot(n, to_light)), 0.0);
   vec3 within = 0.9 * let_in(depth) * seen.arrives * beyond * open_sky;
   vec3 direct = lit * (1.0 - let_in(depth) * seen.leaves) + within;
   vec3 received = sky_at(n.y, seen.sky) + light_strengths.x * sun * direct;
 
-  // In the shade colours grow deeper, not greyer.
+  // In the shade colours become deeper, not greyer.
   float shade = clamp(1.0 - dot(received, vec3(0.33)), 0.0, 1.0);
   return pow(max(color, 1e-4), vec3(1.0 + 0.22 * shade)) * received;
 }
@@ -77,7 +77,7 @@ vec3 dull_color(vec3 color, vec3 n, vec2 seen, bool cut) {
   return dull_color(color, n, Seen(seen.x, seen.y, vec3(0.0), vec3(0.0)), cut, 0.0);
 }
 
-// The light as a window with two bars: what a smooth skin shows of it.
+// The light as a window with two bars, as a smooth skin reflects it.
 float window(vec3 n, vec3 to_eye, float roughness) {
   vec3 seen = reflect(-to_eye, n);
   vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), to_light) + vec3(1e-5, 0.0, 0.0)), up = cross(to_light, right);
@@ -97,9 +97,9 @@ float skin_shine(vec3 n, vec3 to_eye, float roughness) {
   return mix(lobes, 0.06 * pow(spot, 14.0) + 0.42 * window(n, to_eye, roughness), smooth_skin);
 }
 
-// A film of juice is not quite flat: it swells by some millimetres. What a wet face shows of the light is a broad sheen,
-// and few highlights of some millimetres' size where the film leans towards the light's mirror direction. What is
-// hardly wet shows only a little of the sheen, and no highlights. The film's slope is noise at the place in the fruit.
+// A film of juice is not flat: it has waves of some millimetres. A wet face shows a broad sheen, and a few highlights
+// of some millimetres where the film leans towards the light's mirror direction. A slightly wet face shows only a
+// little sheen and no highlights. The film's slope is noise at the place in the fruit.
 float cut_shine(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint) {
   vec3 half_way = normalize(to_light + to_eye);
   float film = smoothstep(0.3, 1.2, wet) * (1.0 - smoothstep(0.25, 0.5, film_frequency * footprint));
@@ -116,8 +116,8 @@ float cut_shine(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint) 
 }
 
 #ifdef WINDOW
-// A wet face: its film of juice lies in swells of a centimetre and of some millimetres, and mirrors the window in a few
-// patches that have its shape, and elsewhere a little of the room.
+// A wet face: its film of juice has waves of a centimetre and of some millimetres. It reflects the window in a few
+// patches with the window's shape, and elsewhere a little of the room.
 vec3 wet_gleam(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint, Seen seen) {
   float film = smoothstep(0.25, 1.2, wet);
   if (film <= 0.0) return vec3(0.0);
@@ -139,11 +139,11 @@ vec3 wet_gleam(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint, S
 }
 #endif
 
-// How much of a gel a part is: light goes deep into it, and it is wet.
+// How much a part is a gel: light enters deeply, and it is wet.
 float gel_of(Material m) { return smoothstep(0.0034, 0.0055, m.depth) * smoothstep(1.0, 2.2, m.wet); }
 
-// A gel shows its depth: next to the walls that hold it, light comes back from them through little of it, and it has a pale
-// halo; farther in, it deepens by the colour that it lets through [Beer-Lambert]. `rim`: millimetres to the wall.
+// A gel shows its depth: near its walls, light returns from them through little gel, which makes a pale halo; farther
+// in, the gel deepens by its transmitted colour [Beer-Lambert]. `rim`: millimetres to the wall.
 vec3 gel_color(vec3 color, Material m, float rim) {
   float gel = gel_of(m);
   if (gel <= 0.0) return color;
@@ -175,19 +175,19 @@ vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, Seen seen, bool cut, Material 
   vec3 mirrored = room_at(reflect(-to_eye, n), to_light) * mix(0.2, 1.0, seen.sky) * of_water(cosine) * smooth_skin;
 #endif
   if (cut) {
-    // Water reflects a little of the sky, most of it at a slant.
+    // Water reflects a little of the sky, most at grazing angles.
     vec3 sky_in_film = sky_at(reflect(-to_eye, n).y, seen.sky) * (0.008 + 0.4 * slant) * min(m.wet, 2.0);
     return dull + gloss * (cut_shine(n, to_eye, m.wet, position, footprint) * seen.sun * vec3(1.0, 0.98, 0.94) +
                            sky_in_film);
   }
 
-  // Of hairs too fine to be drawn one sees most where they are seen through each other, along the rim.
+  // Hairs too fine to be drawn are most visible along the rim, where they overlap.
   float hairs = m.fuzz.a * aslant * aslant * aslant;
   float on_side = mix(0.3, 1.0, seen.sun) * wrapped(dot(n, to_light) + 0.35);
   vec3 on_hairs = sky_at(0.4 + 0.5 * n.y, seen.sky) + light_strengths.x * sun * on_side;
   dull = mix(dull, 1.1 * m.fuzz.rgb * on_hairs, hairs);
 
-  // At a slant even a dull skin reflects the sky.
+  // At grazing angles even a dull skin reflects the sky.
   vec3 reflected = sky_at(reflect(-to_eye, n).y, seen.sky) * slant * 0.5 * smoothstep(0.5, 0.1, m.roughness);
   float polish = gloss * m.gloss * (1.0 - 0.8 * veil) * (1.0 - m.fuzz.a);
 #ifdef WINDOW

@@ -1,4 +1,4 @@
-// What parts are made of (generator/template/material_sketch.h), and what lies on their skins.
+// The materials of parts (generator/template/material_sketch.h), and the bloom and fuzz on their skins.
 #include "noise.glsl"
 
 // Every material's texels (render/gl/scene_materials.h): gloss, roughness, wet, depth that light reaches in metres;
@@ -29,8 +29,8 @@ Material material_at(float number) {
                   fuzz, more.z);
 }
 
-// How much of a skin the bloom hides here: it lies thick where it is seen at a slant, and is rubbed off in patches that
-// have smears and scratches.
+// How much of a skin the bloom hides here: more at grazing angles; it is rubbed off in patches with smears and
+// scratches.
 float bloom_cover(Material m, vec3 position, float cosine) {
   if (m.bloom.a <= 0.0) return 0.0;
   float where = 0.0;

@@ -25,7 +25,7 @@ float corner_noise(ivec3 cell, uint seed, vec3 p) {
 
 // `mask`: which bits of z count; ~0 unless the lattice closes around an axis.
 #ifdef COMPACT
-// In a loop: software that stands for a card translates what is inlined over and over, for minutes.
+// A loop, because software renderers compile inlined copies for minutes.
 float lattice_noise(vec3 point, uint seed, int mask) {
   vec3 low = floor(point), p = point - low;
   vec3 t = p * p * p * (p * (p * 6.0 - 15.0) + 10.0);
@@ -64,7 +64,7 @@ float gradient_noise(vec3 point, uint seed) { return lattice_noise(point, seed, 
 
 const float band_offset = 0.37;
 
-// Where a fruit's point lies about the axis: radius, height, turns.
+// A fruit's point in cylindrical coordinates: radius, height, turns.
 vec3 about_axis(vec3 position) {
   float radius = length(position.xz);
   return vec3(radius, position.y, radius > 0.0 ? atan(-position.z, position.x) / 6.283185307179586 : 0.0);
@@ -101,7 +101,7 @@ vec3 modulated(vec3 color, vec3 position, float footprint, int solid) {
   vec3 stretch = form.xyz;
   uint pattern = uint(form.w);
 
-  // How much of each key this colour is; with it, the weight of each band and the direction.
+  // The share of each key in this colour; from it the weight of each band and the direction.
   vec3 lab = to_oklab(color);
   float total = 0.0;
   vec3 axis = vec3(0.0);
@@ -118,7 +118,7 @@ vec3 modulated(vec3 color, vec3 position, float footprint, int solid) {
 
   float steepest = max(stretch.x, max(stretch.y, stretch.z));
   vec3 around = about_axis(position);
-  float amount = 0.0, finest = 0.5 / (steepest * footprint);  // what is finer is not shown
+  float amount = 0.0, finest = 0.5 / (steepest * footprint);  // finer bands are not shown
   int bands = int(head.w), b = 0;
   do {
     float frequency = head.x * float(1 << b);

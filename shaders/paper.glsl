@@ -21,7 +21,7 @@ uniform float grain;
 uniform float vignette;
 uniform vec3 paint;  // saturation, lightness, granulation times grain
 
-// `grain_here` is paper_grain() where any is asked for.
+// `grain_here` is paper_grain(), if the style has grain.
 vec3 paper_color(ivec2 pixel, vec2 size, float grain_here) {
   if (grain == 0.0 && vignette == 0.0) return paper;
   vec3 lab = to_oklab(paper);

@@ -1,8 +1,8 @@
-// Positive mean values, the end: which points may lie on a surface. They are asked again, in double precision; nearly
-// all others are spared that.
+// Positive mean values, last pass: which points may lie on a surface. Only these are computed again in double
+// precision.
 layout(local_size_x = 64) in;
 
-// More than 1e-5 of the surfaces' size, which is less than 2 here, and more than single precision is off.
+// More than 1e-5 of the surfaces' size, which is less than 2 here, and more than the error of single precision.
 const float near = 2.1e-5;
 const int most_depth = 32;
 const int no_more = -2147483647 - 1;
@@ -17,7 +17,7 @@ bool holds(vec3 low, vec3 high, vec3 p) {
   return all(greaterThanEqual(p, low - near)) && all(lessThanEqual(p, high + near));
 }
 
-// In the triangle's box, and near its plane. The last term is more than what rounding does to the normal.
+// In the triangle's box, and near its plane. The last term exceeds the rounding of the normal.
 bool is_near(uint first, vec3 p) {
   vec3 a = uintBitsToFloat(triangle[first].xyz);
   vec3 b = uintBitsToFloat(triangle[first + 1u].xyz);

@@ -1,6 +1,6 @@
-// Positive mean values, first half: what points see along a block of lines, ahead and behind. One work-group is 64
-// neighbouring points of one fruit looking along the same lines at the same time, so that they walk through the
-// same boxes. Each invocation sums its own block in a fixed order; nothing is shared.
+// Positive mean values, first pass: what points see along a block of lines, ahead and behind. One work-group is 64
+// neighbouring points of one fruit that cast along the same lines at the same time, so that they traverse the same
+// boxes. Each invocation sums its own block in a fixed order; nothing is shared.
 layout(local_size_x = 64) in;
 
 const uint lines_per_block = 8u;
@@ -20,7 +20,7 @@ uniform uint first_line;   // of this chunk
 uniform uint line_count;   // in all chunks
 uniform uint first_block;  // of this dispatch, within the chunk
 
-const int no_more = -2147483647 - 1;  // at the bottom of the stack
+const int no_more = -2147483647 - 1;  // marks the bottom of the stack
 const float far = 3.0e38;
 
 struct Hit {
@@ -35,7 +35,7 @@ struct Look {
   uint nodes, triangles;  // where this fruit begins
 };
 
-// The same bits for a corner, whichever of its triangles asks: no line slips between two triangles.
+// The same bits for a corner in all of its triangles, so that no line passes between two triangles.
 float component(vec3 q, vec3 axis) {
   precise float sum = fma(q.x, axis.x, fma(q.y, axis.y, q.z * axis.z));
   return sum;
@@ -52,7 +52,7 @@ vec3 seen_along(Look look, uvec4 corner) {
   return vec3(component(q, look.across_u), component(q, look.across_v), component(q, look.along));
 }
 
-// Equal distances go to the triangle that comes first among the surfaces.
+// Of equal distances the triangle with the smaller index wins.
 bool is_nearer(Look look, float distance, int index, Hit hit) {
   if (distance != hit.distance) return distance < hit.distance;
   return hit.triangle >= 0 && side[look.triangles + index].x < side[look.triangles + hit.triangle].x;
@@ -64,7 +64,7 @@ void try_triangle(Look look, int index, inout Hit ahead, inout Hit behind) {
   vec3 b = seen_along(look, triangle[first + 1u]);
   vec3 c = seen_along(look, triangle[first + 2u]);
 
-  // Inside, or on an edge, if no two edge functions differ in sign.
+  // Inside or on an edge if no two edge functions differ in sign.
   vec3 areas = vec3(edge(b.xy, c.xy), edge(c.xy, a.xy), edge(a.xy, b.xy));
   float least = min(areas.x, min(areas.y, areas.z)), most = max(areas.x, max(areas.y, areas.z));
   if (least < 0.0 && most > 0.0) return;
@@ -72,7 +72,7 @@ void try_triangle(Look look, int index, inout Hit ahead, inout Hit behind) {
   if (area == 0.0) return;
   areas /= area;
 
-  // With a negative area the front looks against the line: it is seen by who looks along it.
+  // With a negative area the front faces against the line, so a ray along the line sees it.
   float distance = dot(areas, vec3(a.z, b.z, c.z));
   if (distance > 0.0 && is_nearer(look, distance, index, ahead)) {
     ahead = Hit(distance, index, area < 0.0, areas.y, areas.z);
@@ -81,7 +81,7 @@ void try_triangle(Look look, int index, inout Hit ahead, inout Hit behind) {
   }
 }
 
-// Where the line enters and leaves a box.
+// The places where the line enters and leaves a box.
 vec2 crossing(Look look, vec3 low, vec3 high) {
   vec3 one = (low - look.eye) * look.inverse, other = (high - look.eye) * look.inverse;
   vec3 enter = min(one, other), leave = max(one, other);
@@ -99,7 +99,7 @@ void see(Look look, out Hit ahead, out Hit behind) {
   waiting[0] = no_more;
   int top = 0, at = 0;
   while (true) {
-    // Go down through the boxes, the nearer one first.
+    // Descend into the boxes, the nearer one first.
     while (at >= 0) {
       uint first = 4u * (look.nodes + at);
       uvec4 low0 = node[first], high0 = node[first + 1u], low1 = node[first + 2u], high1 = node[first + 3u];

@@ -1,4 +1,4 @@
-// Positive mean values, second half: the sums of all blocks of lines, in order, one invocation a point.
+// Positive mean values, second pass: the sums of all blocks of lines, in order, one invocation per point.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) restrict buffer Totals { float total[]; };      // 64 * (4 + parts) for each group
@@ -7,7 +7,7 @@ layout(std430, binding = 5) readonly restrict buffer Groups { uvec4 group[]; };
 layout(std430, binding = 7) readonly restrict buffer Sums { float sum[]; };
 
 uniform uint blocks;       // in this chunk
-uniform bool is_first;     // nothing has been summed before
+uniform bool is_first;     // there are no earlier sums
 
 // The standard error of the colour, in its worst channel, if the blocks were independent of each other.
 float scatter(uint slot, uint stride, vec4 mean) {
@@ -27,7 +27,7 @@ void main() {
   if (lane >= sizes.x) return;
   uint parts = sizes.y, stride = 64u * (4u + parts), slot = sizes.z + lane, mine = begins.w + lane;
 
-  // Add this chunk's blocks to what was summed before; remember the part that weighs most, the lowest if several do.
+  // Add this chunk's blocks to the earlier sums; keep the part with the largest weight, the lowest one of equals.
   vec4 all = vec4(0.0);
   uint heaviest = 0u;
   float heaviest_weight = -1.0;

@@ -1,5 +1,5 @@
-// Depth alone, as the light sees it. What is see-through leaves out some of its samples, each instance others, so that
-// it casts a part of a shadow.
+// Only depth, seen from the light. Transparent solids omit some of their samples, different ones for each instance, so
+// that they cast a partial shadow.
 #include "gbuffer.glsl"
 
 uniform uint instance_id;

@@ -1,6 +1,7 @@
-// What is sunk in skins or stands out from them: the mirror of render/style/skin_pits.cpp.
+// Pits and raised spots of skins: the mirror of render/style/skin_pits.cpp.
 
-// For each solid where its grid begins, or -1; then the grids (SkinPits::texels()), whose lists begin counted from them.
+// For each solid the start of its grid, or -1; then the grids (SkinPits::texels()); starts of lists are relative to
+// their grid.
 uniform samplerBuffer pits;
 const int texels_of_pit = 2, texels_of_spot = 6;
 const float spot_step = 1.0 / 128.0;
@@ -14,7 +15,7 @@ float spot_cover(int at, vec3 position, vec3 normal) {
   float shortened = along / tangent.w;
   float chord = sqrt(max(0.0, dot(away, away) - along * along + shortened * shortened));
 
-  // The outline: how far out the rim is in this direction.
+  // The outline: the distance of the rim in this direction.
   vec2 flat_way = vec2(shortened, across);
   vec2 direction = flat_way / max(length(flat_way), 1e-12), power = direction;
   vec4 first = texelFetch(pits, at + 3), second = texelFetch(pits, at + 4);
@@ -29,7 +30,7 @@ float spot_cover(int at, vec3 position, vec3 normal) {
   return left * left * (3.0 - 2.0 * left);
 }
 
-// Within the fruit: the slope of the height; w: how far inside what is sunk, 0..1. `normal`: there, too.
+// In the fruit's frame: the slope of the height; w: how far inside a pit, 0..1. `normal` is in the same frame.
 vec4 pit_at(int solid, vec3 position, vec3 normal) {
   int first = int(texelFetch(pits, solid).x);
   if (first < 0) return vec4(0.0);

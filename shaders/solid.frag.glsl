@@ -1,5 +1,5 @@
-// What the later passes want to know: the plain colour and the material, normal, id, and what guides texture detail where
-// a scene has any. Nothing dear: most of what is drawn here is hidden again, or too small to fill a block of pixels.
+// The inputs of later passes: the plain colour and the material, normal, id, and the guide of texture detail if a scene
+// has any. It does little, because most of what is drawn here is hidden again, or too small to fill a block of pixels.
 #include "gbuffer.glsl"
 
 uniform uint instance_id;

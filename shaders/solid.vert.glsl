@@ -3,7 +3,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 color;
 layout(location = 3) in float material;
-layout(location = 4) in vec4 relief;  // what the parts' relief adds to the normal of a cut face; metres to the part's rim
+layout(location = 4) in vec4 relief;  // addition of the parts' relief to the normal of a cut face; metres to the part's rim
 
 #ifdef DETAILED
 layout(location = 5) in vec4 guide_way;    // to the skin, metres; depth of the layer

@@ -1,5 +1,5 @@
-// How much of the sunlight reaches a place through the fruit, and how much would leave the fruit beyond it: by the way of
-// the light from the nearest surface towards the light, and to the farthest one away from it [Green 2004].
+// How much of the sunlight reaches a place through the fruit, and how much would leave the fruit behind it: by the path
+// of the light from the nearest surface towards the light, and to the farthest one away from it [Green 2004].
 #include "gbuffer.glsl"
 #include "material.glsl"
 
@@ -7,13 +7,13 @@ uniform sampler2D albedo;
 uniform sampler2D depth;
 uniform sampler2D normal_line;
 uniform sampler2D shadow_map;
-uniform sampler2D far_map;  // likewise, of what lies farthest from the light
+uniform sampler2D far_map;  // the same, of the farthest surface from the light
 uniform int samples_per_side;
 uniform vec2 tangent;
 uniform mat4 view;
 uniform mat4 camera_to_light;
 uniform vec2 light_box;  // metres: side and depth of the shadow map's box
-uniform float slack;     // metres that the map may be wrong by
+uniform float slack;     // metres; the error of the map
 
 layout(location = 0) out vec4 arrives;
 layout(location = 1) out vec4 leaves;
@@ -32,7 +32,7 @@ void main() {
   vec3 p = vec3((2.0 * (vec2(at) + 0.5) / size - 1.0) * tangent, -1.0) * distance_to;
   vec3 n = mat3(view) * texelFetch(normal_line, at, 0).xyz;
 
-  // From just inside, over what lies about as far around as the light goes: it comes from there, too.
+  // From just inside, averaged over the distance that the light travels, because it also comes from the sides.
   vec3 q = (camera_to_light * vec4(p - n * slack, 1.0)).xyz;
   vec2 direction = first_direction(gl_FragCoord.xy);
   float reach = 0.7 * m.depth / light_box.x;

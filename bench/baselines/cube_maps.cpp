@@ -18,8 +18,8 @@ namespace pomona::bench {
 
 namespace {
 
-// A face is a camera's view; q is the corner as seen from the point. Depth is the usual one; distance and colours are
-// interpolated with perspective, and the radial distance is written as a number, because depth is short of digits.
+// A face is a camera's view; q is the corner relative to the point. Depth is the usual one; distance and colours are
+// interpolated with perspective. The radial distance is written as a number, because depth has too few digits.
 constexpr const char* vertex_shader = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 front;
@@ -53,7 +53,8 @@ void main() {
 }
 )";
 
-/// Faces lie side by side in one picture, points one above the other: the number drawn between two readings.
+/// Number of points that are drawn before the picture is read back. Faces lie side by side in it, points one above the
+/// other.
 constexpr int points_at_once = 16;
 
 /// Right, up and forward of the six cameras, right-handed with the viewer: fronts stay fronts.
@@ -205,7 +206,7 @@ CubeMapColors cube_map_pmvc(const DiffusionSurfaces& surfaces, std::span<const g
   CubeMapColors result{plan.color, 0, 0, context.renderer()};
   if (plan.views.empty()) return result;
 
-  // The first drawing makes the driver compile.
+  // The first drawing makes the driver compile the shaders, so it counts as setup.
   const std::span<const View> views(plan.views);
   auto start = std::chrono::steady_clock::now();
   const CubeMaps maps(gl, surfaces, middle, options.texels);

@@ -75,7 +75,7 @@ SurfaceMesh mesh_of(Soup& soup) {
   return mesh;
 }
 
-/// "skin and chamber (214 pairs of triangles)" for the two that do so most often; empty where none do.
+/// "skin and chamber (214 pairs of triangles)" for the two surfaces that cross most often; empty if none cross.
 std::string crossing_surfaces(const SurfaceMesh& mesh, const Soup& soup, const std::vector<std::string>& names) {
   std::vector<std::pair<Face, Face>> pairs;
   processing::self_intersections(mesh, std::back_inserter(pairs));
@@ -113,7 +113,7 @@ Polyhedron polyhedron_of(const Soup& soup, const std::vector<std::size_t>& chose
   return polyhedron;
 }
 
-/// What holds everything, and the rest.
+/// The outermost surface, and all others.
 struct Shells {
   Polyhedron outer = {}, inner = {};
   std::string why_not = {};
@@ -149,8 +149,8 @@ Shells shells_of(const SurfaceMesh& mesh, const Soup& soup) {
   return shells;
 }
 
-/// The refinement finds surfaces by random rays, and small ones not at all: puts some corners of every connected
-/// part into the mesh to begin with.
+/// Puts some corners of every connected part into the mesh at first. The refinement finds surfaces by random rays and
+/// would miss small ones.
 void insert_corners_of_all_parts(const Domain& domain, Complex& complex) {
   constexpr std::size_t corners_per_part = 12;
   const auto weighted = complex.triangulation().geom_traits().construct_weighted_point_3_object();
@@ -244,7 +244,7 @@ Complex refined(const Shells& shells, double cell_size) {
 }
 
 TetrahedralMesh plain(const Complex& complex) {
-  // Number what is used.
+  // Number the vertices in use.
   std::map<Complex::Vertex_handle, std::uint32_t> vertex;
   std::map<Complex::Cell_handle, std::uint32_t> cell;
   TetrahedralMesh mesh;
@@ -263,7 +263,7 @@ TetrahedralMesh plain(const Complex& complex) {
     mesh.corner.push_back(corner);
   }
 
-  // Connect it.
+  // Connect the tetrahedra.
   for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c) {
     std::array<std::uint32_t, 4> neighbor{};
     std::array<bool, 4> on_surface{};

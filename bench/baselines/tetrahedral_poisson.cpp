@@ -29,7 +29,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Corners of tetrahedra joined into values: those at one vertex are one value unless a surface parts them.
+/// Values of the corners of tetrahedra: corners at one vertex share one value unless a surface separates them.
 struct Values {
   std::vector<std::array<std::uint32_t, 4>> of_corner;  ///< one entry per tetrahedron
   std::size_t count = 0;
@@ -47,7 +47,7 @@ std::uint32_t corner_at(const TetrahedralMesh& mesh, std::uint32_t other, std::u
 }
 
 Values values_of(const TetrahedralMesh& mesh) {
-  // Join across every face that is no surface.
+  // Join across every face that lies on no surface.
   std::vector<std::uint32_t> parent(4 * mesh.corner.size());
   std::iota(parent.begin(), parent.end(), 0u);
   for (std::uint32_t t = 0; t < mesh.corner.size(); ++t) {
@@ -118,8 +118,8 @@ class Painter {
     return glm::dot(apex - place[0], normal) < 0 ? -normal : normal;
   }
 
-  /// The colour of the surface at one corner of a face, on the side that looks inwards. A little towards the middle
-  /// the face's own surface is nearest even at a crease.
+  /// The colour of the surface at one corner of a face, on the inner side. It is read a little towards the middle of
+  /// the face, where the face's own surface is nearest even at a crease.
   glm::dvec3 color_at(const glm::dvec3& corner, const std::array<glm::dvec3, 3>& face,
                       const glm::dvec3& inwards) const {
     const glm::dvec3 middle = (face[0] + face[1] + face[2]) / 3.0;
@@ -229,7 +229,7 @@ class Finder {
     std::array<double, 4> weight{};
   };
   std::optional<Place> find(const glm::dvec3& point) const {
-    // Rounding must not lose a point on a face: take the tetrahedron that it is farthest inside.
+    // A point on a face must not be lost by rounding: take the tetrahedron in which it lies deepest.
     constexpr double slack = 1e-9;
     std::optional<Place> best;
     double max = -slack;

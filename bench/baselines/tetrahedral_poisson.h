@@ -34,12 +34,12 @@ class TetrahedralPoisson {
   TetrahedralPoisson(const DiffusionSurfaces& surfaces, const PoissonOptions& options = {});
   ~TetrahedralPoisson();
 
-  /// Empty if there is a solution; else in plain words why there is none: surfaces that cross, an open skin.
+  /// Why there is no solution, in plain words (surfaces that cross, an open skin); empty if there is one.
   const std::string& why_not() const { return why_not_; }
   const PoissonCost& cost() const { return cost_; }
 
-  /// Linear colours at `points` (metres). Next to a surface that the tetrahedra only approximate, and outside of
-  /// all, that of the nearest side. Only where why_not() is empty.
+  /// Linear colours at `points` (metres). Next to a surface that the tetrahedra only approximate, and outside of all
+  /// tetrahedra, it is the colour of the nearest side. Only if why_not() is empty.
   std::vector<Color> at(std::span<const glm::vec3> points) const;
 
  private:

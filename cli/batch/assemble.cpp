@@ -41,13 +41,13 @@ AssembleReport surveyed(const fs::path& folder, const RecordedBatch& batch) {
   return report;
 }
 
-/// Between two visits nobody else is at work: the folder is ours.
+/// The item in a folder that this run holds alone, so that nothing changes between two visits.
 FinishedItem item_at(const fs::path& folder, const std::string& item) {
   if (auto found = finished_item(folder, item)) return std::move(*found);
   throw Error(ExitStatus::io_error, {{{(folder / item).string(), 0, 0, {}}, "has gone", {}}});
 }
 
-/// A line for each item, so that tools of lines can read it, too.
+/// Writes one line for each item, so that line-based tools can read the manifest.
 void write_manifest(const Workplace::Writer& write, const fs::path& folder, const std::string& record,
                     const RecordedBatch& batch, const AssembleReport& report) {
   write("{\"format\":1,\n\"batch\":" + json_text(nlohmann::ordered_json::parse(record)) +

@@ -1,4 +1,4 @@
-// From items to what tells of all of them: manifest.json and index.html.
+// From items to manifest.json and index.html, which list them all.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct AssembleReport {
   std::vector<FailedItem> failed;
 };
 
-/// Reads the folder's batch.json and all items; writes manifest.json and index.html if none is missing. Memory does not
-/// grow with the number of items, but for those that failed.
+/// Reads the folder's batch.json and all items; writes manifest.json and index.html if none is missing. Memory grows
+/// only with the number of failed items.
 /// \throws Error (bad_data) if the folder holds no batch, (cannot_create, io_error)
 AssembleReport assemble(Workplace& workplace);
 

@@ -20,7 +20,7 @@ ContactSheet::ContactSheet(const RecordedBatch& batch) {
 std::string ContactSheet::row(const RecordedItem& item) {
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   for (const RecordedFile& file : item.files) files.push_back(file.name);
-  // Thousandths of a millilitre are more than anybody sorts by.
+  // A thousandth of a millilitre is precise enough for sorting.
   const double millilitres = static_cast<double>(static_cast<std::int64_t>(item.volume * 1e9)) / 1e3;
   const nlohmann::ordered_json row = {item.item,   item.template_name, item.seed, item.knives,
                                       item.pieces, millilitres,        files,     item.error};

@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// The page is contact_sheet.html with the items between its two halves.
+/// Writes contact_sheet.html with the items between its two halves.
 class ContactSheet {
  public:
   explicit ContactSheet(const RecordedBatch& batch);
@@ -18,15 +18,15 @@ class ContactSheet {
   const std::string& before_items() const { return before_; }
   const std::string& after_items() const { return after_; }
 
-  /// One item as a JSON array that may stand within a script element: folder, template, seed, knives, pieces, volume
-  /// (millilitres), names of files, and why it failed.
+  /// One item as a JSON array for a script element: folder, template, seed, knives, pieces, volume (millilitres), names
+  /// of files, and the reason if it failed.
   static std::string row(const RecordedItem& item);
 
  private:
   std::string before_, after_;
 };
 
-/// contact_sheet.html, as it was when the program was built.
+/// contact_sheet.html, embedded when the program was built.
 std::span<const EmbeddedFile> contact_sheet_files();
 
 }  // namespace pomona

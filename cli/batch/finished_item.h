@@ -16,8 +16,8 @@ struct FinishedItem {
 
 enum class FileCheck { lengths, hashes };
 
-/// Nothing if the item is not there, or not whole: its record must name it, and every file must have the size that the
-/// record says, and where hashes are asked for, the SHA-256.
+/// Nothing if the item is missing or incomplete: its record must name it, and every file must have the size in the
+/// record, and with FileCheck::hashes its SHA-256.
 std::optional<FinishedItem> finished_item(const std::filesystem::path& folder, const std::string& item,
                                           FileCheck check = FileCheck::lengths);
 

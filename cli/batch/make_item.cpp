@@ -21,7 +21,7 @@ namespace pomona {
 
 namespace {
 
-constexpr Threads alone{1};  ///< an item is made by one thread; a batch makes many
+constexpr Threads alone{1};  ///< one thread makes an item; a batch makes many items at once
 
 /// A thumbnail shows the pieces elsewhere; their meshes are the same, but for a peel that hangs.
 std::string thumbnail(const Scene& scene, const std::vector<StyledMesh>& meshes, const AssetOptions& assets,
@@ -33,7 +33,7 @@ std::string thumbnail(const Scene& scene, const std::vector<StyledMesh>& meshes,
                                   {.size = assets.thumbnail, .on_paper = assets.thumbnail_on_paper}));
 }
 
-/// What is made of the fruit: the files, and the pieces where they grew.
+/// The files of an item, and its pieces where they grew.
 struct MadePieces {
   Scene scene;
   std::vector<NamedFile> files;
@@ -94,7 +94,7 @@ MadePieces made_pieces(const OrderedFruit& fruit, const Template& drawn, const O
   MadePieces made{gathered(std::move(slices.pieces)), {}, std::move(slices.warnings)};
   made.scene.paper = styles.drawn.paper;
 
-  // The thumbnail shows the meshes that the .glb holds.
+  // The thumbnail shows the meshes of the .glb.
   const ExportOptions options = export_options(order, how);
   const std::vector<StyledMesh> meshes =
       assets.thumbnail > 0 ? styled_meshes(made.scene, options) : std::vector<StyledMesh>();
@@ -133,7 +133,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Order
   const PlannedEntry& entry = plan.entries[which.entry];
   MadeItem made{.item = item_path(entry.wanted.name, entry.items(), item.number), .files = {}, .error = growing_error};
 
-  // Cut it and make its files; whatever goes wrong with that is this item's alone.
+  // Cut the fruit and make the files; an error concerns only this item.
   ItemOutcome outcome;
   MadePieces pieces;
   try {
@@ -155,7 +155,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Order
     made.error = reason_of(error);
   }
 
-  // The record is all that is left of an item that failed.
+  // A failed item leaves only its record.
   if (!made.error.empty()) {
     made.files.clear();
     outcome = {.error = made.error};

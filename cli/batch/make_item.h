@@ -1,4 +1,4 @@
-// One item, from its numbers to its files. Nothing is written here, and nothing else has a say in the bytes.
+// One item, from its numbers to the bytes of its files. Nothing else affects the bytes, and nothing is written here.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,8 @@ namespace pomona {
 /// One individual, for all items that are made of it.
 OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, const BatchVariant& which);
 
-/// \param grown none where growing failed, `growing_error` says how.
-/// \throws what says that memory or threads ran out (exhausted.h): another time there may be enough.
+/// \param grown null if growing failed; then `growing_error` is the reason.
+/// \throws errors for a lack of memory or threads (exhausted.h), because a later run may have enough.
 MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const OrderedFruit* grown,
                    const std::string& growing_error, const BatchItem& item, const EntryStyles& styles);
 

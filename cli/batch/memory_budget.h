@@ -1,4 +1,4 @@
-// How many items may be under way at once.
+// Limits how many items are made at once by their memory.
 #pragma once
 
 #include <condition_variable>
@@ -7,14 +7,14 @@
 
 namespace pomona {
 
-/// Memory as something that items borrow. Who finds too little left waits; who asks for more than there is gets it
-/// once nobody else has any, so that all work ends.
+/// Memory that items borrow. An item waits while too little is left. An item that needs more than the whole budget runs
+/// alone, so that all work ends.
 class MemoryBudget {
  public:
   /// \param bytes 0 = no limit.
   explicit MemoryBudget(std::uint64_t bytes) : bytes_(bytes) {}
 
-  /// What an item has borrowed, given back with this.
+  /// The memory that an item has borrowed; the destructor returns it.
   class Loan {
    public:
     Loan(MemoryBudget& budget, std::uint64_t bytes);

@@ -1,4 +1,4 @@
-// pomona merge: makes one batch of what its shards have left.
+// pomona merge: joins the shards of a batch.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -37,13 +37,13 @@ ExitStatus merge(const MergeCommand& command) {
         ExitStatus::input_missing,
         {{{command.folder, 0, 0, {}}, "holds no batch", "pomona batch makes one: its folder has a batch.json"}});
 
-  // Nobody else may be at work in the folder meanwhile.
+  // Hold the folder alone.
   Progress progress(command.quiet);
   Workplace workplace(command.folder, {});
   const AssembleReport report = assemble(workplace);
   if (command.json) print_json(report);
 
-  // What is missing, and what has failed.
+  // Report missing and failed items.
   for (const std::string& item : report.first_missing) progress.error(item + ": error: missing");
   const auto named = static_cast<std::int64_t>(report.first_missing.size());
   if (report.missing > named) progress.error("and " + std::to_string(report.missing - named) + " more");

@@ -1,4 +1,4 @@
-// What a run says when it is done.
+// The summary of a run.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace pomona {
 /// "made 24 items in 3 s (8.1 a second), 2 were there, 1 failed: out"
 std::string summary(const RunReport& report, const std::string& folder);
 
-/// The same for programs.
+/// The same as JSON.
 std::string report_as_json(const RunReport& report);
 
 }  // namespace pomona

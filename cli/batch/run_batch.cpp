@@ -185,7 +185,7 @@ class Run {
 
   std::mutex mutex_;
   Tally tally_;
-  std::size_t left_ = 0;  // items that are missing for lack of memory or threads
+  std::size_t left_ = 0;  // items that lack memory or threads
   std::string lack_;
   std::vector<std::pair<std::pair<std::size_t, std::int64_t>, FailedItem>> failed_;
 };

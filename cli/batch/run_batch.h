@@ -16,8 +16,8 @@ namespace pomona {
 struct RunOptions {
   Shard shard;
   Threads threads;
-  std::uint64_t memory = 0;              ///< bytes that items under way may take together; 0 = no limit
-  FileCheck check = FileCheck::lengths;  ///< of items that are there already
+  std::uint64_t memory = 0;              ///< bytes for all items that are made at once; 0 = no limit
+  FileCheck check = FileCheck::lengths;  ///< of existing items
 };
 
 struct FailedItem {

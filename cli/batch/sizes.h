@@ -1,4 +1,4 @@
-// What `pomona batch` is told in words: shards and sizes of memory.
+// Reads option values of `pomona batch`: shards and sizes of memory.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace pomona {
 
 constexpr int max_shards = 1'000'000;
 
-/// "3/8"; "" is the whole. \throws Error (usage) for what is none, and for a number out of range.
+/// Reads "3/8"; "" is the whole batch. \throws Error (usage) for anything else, and for a number out of range.
 Shard parse_shard(const std::string& text);
 
-/// "2GB", "500MB": bytes, by thousands; "" is 0. \throws Error (usage)
+/// Reads "2GB", "500MB" as bytes, in powers of 1000; "" is 0. \throws Error (usage)
 std::uint64_t parse_memory(const std::string& text);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How far a batch is, in words.
+// The progress of a batch, as text.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 namespace pomona {
 
 struct Tally {
-  std::int64_t total = 0;   ///< items of this run's share
-  std::int64_t found = 0;   ///< that were there already
-  std::int64_t made = 0;    ///< by this run, failed ones too
-  std::int64_t failed = 0;  ///< of these
+  std::int64_t total = 0;   ///< items of this run
+  std::int64_t found = 0;   ///< existing items
+  std::int64_t made = 0;    ///< by this run, including failed ones
+  std::int64_t failed = 0;  ///< of the made ones
   double seconds = 0;       ///< since the run began
 
   std::int64_t done() const { return found + made; }

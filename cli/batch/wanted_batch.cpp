@@ -18,7 +18,7 @@ namespace pomona {
 
 namespace {
 
-/// In what the batch that a folder holds differs from the one wanted, both as batch.json: `another batch, "small"`.
+/// The difference between a folder's batch.json and the wanted one, as text: `another batch, "small"`.
 std::string difference(const std::string& there, const std::string& wanted) {
   const auto old_one = nlohmann::json::parse(there, nullptr, false), new_one = nlohmann::json::parse(wanted);
   if (!old_one.is_object()) return "a batch.json that cannot be read";
@@ -31,7 +31,7 @@ std::string difference(const std::string& there, const std::string& wanted) {
   return "this batch as its file was before it was changed";
 }
 
-/// What an entry orders at most: an option of a list has an effect if it has one on any item.
+/// The order with all options of an entry's lists: an option has an effect if it has one on any item.
 Order largest_order(const BatchEntry& entry) {
   const AssetOptions& assets = entry.assets;
   Order order = assets.order;
@@ -60,7 +60,7 @@ std::vector<EntryStyles> styles_of(const BatchPlan& plan) {
 std::vector<std::string> batch_warnings(const BatchPlan& plan) {
   // What [batch] says holds for all entries: it is told of where no entry heeds it.
   std::set<std::string> heeded;                           // flags
-  std::vector<std::pair<std::string, std::string>> idle;  // of each entry: flags, and what is told
+  std::vector<std::pair<std::string, std::string>> idle;  // of each entry: flag and warning
   for (const PlannedEntry& entry : plan.entries) {
     const Order order = largest_order(entry.wanted);
     std::set<std::string> idle_here;

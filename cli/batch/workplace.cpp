@@ -30,9 +30,8 @@ void make_folder(const fs::path& path) {
     fail_at(ExitStatus::cannot_create, path, "cannot be created", error == EEXIST ? ENOTDIR : error);
 }
 
-/// The lock file, made where it is not there, and locked. \param kind LOCK_SH or LOCK_EX.
-/// \throws Error (locked) if another run has it, and not only for the moment in which `pomona farm status` asks whether
-/// one has.
+/// Makes the lock file if it is missing, and locks it. \param kind LOCK_SH or LOCK_EX.
+/// \throws Error (locked) if another run holds it longer than the moment in which `pomona farm status` tests it.
 Descriptor locked(const fs::path& path, const fs::path& folder, int kind) {
   constexpr auto moment = std::chrono::milliseconds(20);
   for (int times_busy = 0;;) {
@@ -51,7 +50,7 @@ Descriptor locked(const fs::path& path, const fs::path& folder, int kind) {
   }
 }
 
-/// A folder whose path ends in a slash is the same without it.
+/// The path without a slash at its end.
 fs::path without_slash(fs::path folder) { return folder.has_filename() ? folder : folder.parent_path(); }
 
 }  // namespace
@@ -67,7 +66,7 @@ Workplace::Workplace(fs::path folder, const Shard& shard)
   whole_.emplace(locked(hidden_ / "lock", folder_, shard.count > 1 ? LOCK_SH : LOCK_EX));
   own_.emplace(locked(hidden_ / lock_name_, folder_, LOCK_EX));
 
-  // What killed runs have left.
+  // Remove what killed runs have left.
   std::error_code failed;
   fs::remove_all(staging_, failed);
   if (shard.count == 1) {
@@ -78,7 +77,7 @@ Workplace::Workplace(fs::path folder, const Shard& shard)
 }
 
 Workplace::~Workplace() {
-  // Whoever is last removes everything; a lock on a file that is gone is no lock (is_still_there).
+  // The last run removes everything; a lock on a removed file is not valid (is_still_there).
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
   ::unlink((hidden_ / lock_name_).c_str());

@@ -1,4 +1,4 @@
-// A batch's folder while runs work on it: locks, and a place where items are made until they are whole.
+// A batch's folder while runs work on it: locks, and a temporary folder for incomplete items.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@
 
 namespace pomona {
 
-/// Which share of a batch a run makes: part `number` of `count`, from 1.
+/// The share of a batch that a run makes: part `number` of `count`, from 1.
 struct Shard {
   int number = 1, count = 1;
 };
@@ -25,8 +25,8 @@ struct Shard {
 /// and by a run that has the folder alone; but for items set aside, which stay until the batch is whole.
 class Workplace {
  public:
-  /// Makes the folder if it is not there. \throws Error (locked) if another run is at work on the same items,
-  /// (cannot_create) where it cannot be made.
+  /// Makes the folder if it is missing. \throws Error (locked) if another run makes the same items, (cannot_create) if
+  /// the folder cannot be made.
   Workplace(std::filesystem::path folder, const Shard& shard);
   ~Workplace();
   Workplace(const Workplace&) = delete;
@@ -34,7 +34,7 @@ class Workplace {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Makes the folder `item` with these files in it, whole or not at all, in place of what is there. From any thread.
+  /// Makes the folder `item` with these files, replaces an existing one, all or nothing. From any thread.
   /// \throws Error (cannot_create, io_error)
   void put_item(const std::string& item, std::span<const NamedFile> files);
 

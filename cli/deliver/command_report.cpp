@@ -20,7 +20,7 @@ namespace pomona {
 
 namespace {
 
-/// "12.3 MB"; below a tenth of that "4 kB".
+/// "12.3 MB"; below 0.1 MB "4 kB".
 std::string size_in_words(std::size_t bytes) {
   char words[32];
   const double size = static_cast<double>(bytes);
@@ -38,7 +38,7 @@ void print_as_json(const CommandReport& report) {
   std::printf("%s\n", json_text(result, 2).c_str());
 }
 
-/// Maps and ground truth are counted, the rest is named: of many pieces they are hundreds of files.
+/// Prints the names of files, but only the numbers of maps and ground truth, which may be hundreds.
 void print_in_words(CommandReport& report) {
   std::map<std::filesystem::path, std::pair<std::size_t, std::size_t>> folders;  // files and bytes
   for (const DeliveredFile& made : report.files) {
@@ -91,14 +91,14 @@ void write_files(CommandReport& report, const Order& order, const Telling& telli
   }
   for (DeliveredFile& made : report.files) files.push_back(std::move(made.file));
 
-  // Ctrl-C is heard before or after, not between two files.
+  // Ctrl-C must not interrupt between two files.
   const HeldSignals held;
   MadeFolder truth(order.picture.aov), maps(order.mesh.maps_dir);
   report.times.time("write", [&] { write_whole(files); });
   truth.keep(), maps.keep();
   for (std::size_t i = 0; i < files.size(); ++i) report.files[i].file = std::move(files[i]);
 
-  // The statistics tell how long it took to write all other files.
+  // The statistics include the time for writing all other files.
   if (!telling.stats.empty()) {
     report.files.push_back({.file = {telling.stats, report.times.json(resolved(order.threads))}});
     write_whole(std::span(&report.files.back().file, 1));

@@ -1,4 +1,4 @@
-// What a command tells while it works, and its files when they are made.
+// The messages of a command, and the files that it makes.
 #pragma once
 
 #include <string>
@@ -16,26 +16,26 @@ namespace pomona {
 struct CommandReport {
   explicit CommandReport(const Telling& telling) : progress(telling.quiet) {}
 
-  /// Printed at once, and part of the answer to --json.
+  /// Prints warnings at once; --json includes them.
   void warn(const std::vector<std::string>& more);
 
-  /// How long the fruit took to grow, and of how many triangles its surfaces are.
+  /// Adds the times of growing the fruit and the number of triangles of its surfaces.
   void add(const OrderedFruit& fruit);
 
-  /// What was measured on the way to these files; their warnings are printed. The files are written by write_files().
+  /// Adds files with their times and counts, and prints their warnings. write_files() writes them.
   void add(Delivered more);
 
-  /// For work that tells how far it is. The report must outlive it.
+  /// A progress callback for long work. The report must outlive it.
   DeliveryProgress told_progress();
 
   Progress progress;
   StageTimes times;
   std::vector<std::string> warnings;
-  std::vector<DeliveredFile> files;  ///< all that the command has made
+  std::vector<DeliveredFile> files;  ///< all files of the command
 };
 
-/// Puts all files on disk together, then --stats, and says what was written.
-/// \throws Error as write_whole(), and (usage) where --stats names one of the files.
+/// Writes all files as one transaction, then --stats, and prints what was written.
+/// \throws Error as write_whole(), and (usage) if --stats names one of the files.
 void write_files(CommandReport& report, const Order& order, const Telling& telling);
 
 }  // namespace pomona

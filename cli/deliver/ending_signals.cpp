@@ -9,9 +9,9 @@ namespace pomona {
 
 namespace {
 
-// A handler can be told nothing but by variables that outlive every function.
+// A signal handler can only read variables with static lifetime.
 constexpr int being_ended = -1;
-std::atomic<int> holders = 0;  // how many hold the signals; `being_ended` once one of them ends the program
+std::atomic<int> holders = 0;  // number of HeldSignals; `being_ended` once a signal ends the program
 std::atomic<int> arrived = 0;  // the signal that came while they were held; 0 = none
 static_assert(std::atomic<int>::is_always_lock_free);
 

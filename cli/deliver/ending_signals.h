@@ -3,12 +3,12 @@
 
 namespace pomona {
 
-/// From now on these signals end the program at once, whichever thread they reach, except while HeldSignals lives.
-/// A signal that is ignored (nohup) stays ignored. SIGXFSZ ends
-/// nothing any more. Called once, before there are threads.
+/// From now on these signals end the program at once, in whichever thread they arrive, unless HeldSignals exists. A
+/// signal that is ignored (nohup) stays ignored. SIGXFSZ is ignored from now on. Called once, before there are threads.
 void heed_ending_signals();
 
-/// Holds them back, in all threads. One that has come in the meantime ends the program when the last of these goes.
+/// Delays the signals, in all threads. A signal that has arrived ends the program when the last object of this class is
+/// destroyed.
 class HeldSignals {
  public:
   HeldSignals();
@@ -16,10 +16,10 @@ class HeldSignals {
   HeldSignals(const HeldSignals&) = delete;
   HeldSignals& operator=(const HeldSignals&) = delete;
 
-  /// Whether one has come.
+  /// True if a signal has arrived.
   bool any() const;
 
-  /// What it asks for has been done: it need not end the program any more.
+  /// Drops the signal: its request is fulfilled.
   void forget();
 };
 

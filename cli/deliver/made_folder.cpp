@@ -15,7 +15,7 @@ MadeFolder::MadeFolder(const std::filesystem::path& folder) {
 }
 
 MadeFolder::~MadeFolder() {
-  std::error_code ignored;  // what is not empty stays
+  std::error_code ignored;  // a folder with files stays
   if (!made_.empty()) std::filesystem::remove(made_, ignored);
 }
 

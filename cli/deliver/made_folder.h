@@ -1,14 +1,14 @@
-// A folder for files that are about to be written.
+// A folder for files that will be written.
 #pragma once
 
 #include <filesystem>
 
 namespace pomona {
 
-/// Makes the folder if it is not there; takes it away again, as long as it is empty, unless it is told to keep it.
+/// Makes the folder if it is missing; removes it again if it is empty, unless keep() was called.
 class MadeFolder {
  public:
-  /// \param folder none: nothing is made. \throws Error (cannot_create)
+  /// \param folder empty = none. \throws Error (cannot_create)
   explicit MadeFolder(const std::filesystem::path& folder);
   ~MadeFolder();
   MadeFolder(const MadeFolder&) = delete;

@@ -76,7 +76,7 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
 }
 
 void check_other_files(const Order& order, const Telling& telling) {
-  std::map<fs::path, std::string> taken;  // by what option
+  std::map<fs::path, std::string> taken;  // by which option
   for (const Output& output : order.outputs) taken[output.file.lexically_normal()] = "-o " + output.file.string();
   const auto take = [&](const std::string& option, const fs::path& file) {
     const auto [known, is_new] = taken.emplace(file.lexically_normal(), option);
@@ -101,7 +101,7 @@ std::ptrdiff_t count_of(const std::vector<Output>& outputs, Format format) {
   return std::count_if(outputs.begin(), outputs.end(), [&](const Output& output) { return output.format == format; });
 }
 
-/// A folder that is there takes files, one of them being `name`; one that is not is made when they are.
+/// Checks that an existing folder can take the file `name`; a missing folder is made later.
 void check_files_folder(const fs::path& folder, const char* name) {
   const fs::path place = folder.has_filename() ? folder : folder.parent_path();
   std::error_code ignored;

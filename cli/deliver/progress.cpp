@@ -22,7 +22,7 @@ void Progress::report(const std::string& stage, std::size_t done, std::size_t to
   const std::lock_guard lock(mutex_);
   last_report_ = since_start_.milliseconds();
   if (stage != last_stage_) {
-    // One line when a stage begins is enough in a log.
+    // In a log one line at the beginning of a stage is enough.
     if (!terminal_) std::fprintf(stderr, "%s (%zu)\n", stage.c_str(), total);
     last_stage_ = stage;
     stage_began_ = since_start_.milliseconds();
@@ -32,7 +32,7 @@ void Progress::report(const std::string& stage, std::size_t done, std::size_t to
   draw_bar(stage, done, total, std::to_string(done) + "/" + std::to_string(total) + time_left(done, total));
 }
 
-/// As long for each item as for those of this stage so far; nothing before that says much.
+/// The time left, if each item takes as long as those of this stage so far; empty while this is not yet reliable.
 std::string Progress::time_left(std::size_t done, std::size_t total) const {
   constexpr double too_early = 2e3;  // milliseconds
   const double passed = since_start_.milliseconds() - stage_began_;
@@ -69,7 +69,7 @@ void Progress::report_waiting(const std::string& work, double so_far) {
   }
 }
 
-/// In a log, every ten seconds.
+/// True every ten seconds, for a log.
 bool Progress::is_time_for_a_line() {
   constexpr double between_lines = 10e3;  // milliseconds
   const double now = since_start_.milliseconds();

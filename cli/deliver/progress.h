@@ -1,5 +1,4 @@
-// Progress of long work: a bar on a terminal, plain lines elsewhere, nothing with --quiet. On stderr, so that
-// results on stdout stay clean.
+// Progress of long work on stderr: a bar on a terminal, plain lines elsewhere, nothing with --quiet.
 #pragma once
 
 #include <cstddef>
@@ -18,20 +17,20 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of `total` items of `stage`, and about how long the rest will take. May be called from any thread.
+  /// Shows `done` of `total` items of `stage`, and the estimated time left. May be called from any thread.
   void report(const std::string& stage, std::size_t done, std::size_t total);
 
-  /// The same with words of one's own after the bar; where there is no terminal, they are a line every ten seconds.
+  /// The same with another text after the bar; without a terminal, it is a line every ten seconds.
   void report_text(const std::string& stage, std::size_t done, std::size_t total, const std::string& text);
 
-  /// That work of unknown length has gone on for so many milliseconds: from the third second on, and only if nothing
-  /// has been reported of late. A line every ten seconds where there is no terminal.
+  /// Shows that work of unknown length has taken `so_far` milliseconds: from the third second on, and only without a
+  /// recent report. Without a terminal, it is a line every ten seconds.
   void report_waiting(const std::string& work, double so_far);
 
-  /// A line of its own, such as a warning; never lost in the bar.
+  /// Prints a line of its own, such as a warning; the bar does not overwrite it.
   void line(const std::string& text);
 
-  /// The same for what is told even to those who want to hear of errors alone.
+  /// The same for errors, also with --quiet.
   void error(const std::string& text);
 
  private:

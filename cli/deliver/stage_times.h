@@ -1,4 +1,4 @@
-// How long each stage of the road took, and what was counted: --stats and the last lines people see.
+// Times of the stages and counts, for --stats and the summary.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ class StageTimes {
 
   void count(const std::string& what, std::int64_t number) { counts_[what] += number; }
 
-  /// Which diffuser colours the faces, and on what (Diffuser::device). A command without one names none.
+  /// Sets the diffuser that colours the faces, and its device (Diffuser::device). A command may have none.
   void diffused_by(const std::string& diffuser, const std::string& device);
 
   /// The JSON text of --stats (docs/reference/commands.md), indented, with a final newline.
   std::string json(int threads) const;
 
-  /// "read 1 ms, sweep 12 ms, ..." in the order of the road.
+  /// "read 1 ms, sweep 12 ms, ..." in the order of the stages.
   std::string summary() const;
 
  private:

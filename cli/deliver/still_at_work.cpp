@@ -10,7 +10,7 @@ StillAtWork::StillAtWork(Progress& progress, std::string work) : progress_(progr
   try {
     teller_ = std::thread([this] { tell(); });
   } catch (const std::system_error&) {
-    // Where no thread is to be had, the work goes on in silence.
+    // Without a thread the work goes on without messages.
   }
 }
 

@@ -1,4 +1,4 @@
-// Tells that work of unknown length goes on.
+// Shows that work of unknown length goes on.
 #pragma once
 
 #include <condition_variable>
@@ -10,9 +10,9 @@
 
 namespace pomona {
 
-/// While it lives, a thread of its own, which waits nearly all the time and has no part in results, says how long the
-/// work has taken so far: on a terminal every second, in a log every ten. Nothing in the first seconds, nor while
-/// `progress`, which lives longer, hears of work that can be counted.
+/// While the object exists, a thread of its own shows how long the work has taken: on a terminal every second, in a log
+/// every ten. It shows nothing in the first seconds, nor while `progress`, which must outlive it, reports countable
+/// work. The thread mostly waits and does not affect results.
 class StillAtWork {
  public:
   StillAtWork(Progress& progress, std::string work);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::chrono::milliseconds between_looks{200};
 
-/// When a file was written and how long it is; one that is not there is left out.
+/// Time of writing and size of a file; missing files are left out.
 using FileState = std::pair<fs::file_time_type, std::uintmax_t>;
 
 std::map<fs::path, FileState> states_of(const std::set<fs::path>& files) {
@@ -48,17 +48,17 @@ ExitStatus made_or_watched(const Telling& telling, std::vector<std::string> writ
 
   std::set<fs::path> files = files_behind(words);
   for (;;) {
-    // As they were before they were read: what changes meanwhile is seen.
+    // Take the states before reading, so that changes during the work are found.
     std::map<fs::path, FileState> before = states_of(files);
     run_action(make);
     if (!telling.quiet) std::fprintf(stderr, "watching %zu files; Ctrl-C ends it\n", files.size());
     while (states_of(files) == before) std::this_thread::sleep_for(between_looks);
-    // An editor writes in several steps: wait for the last.
+    // An editor may write in several steps: wait for the last.
     for (std::map<fs::path, FileState> now = states_of(files); now != before; now = states_of(files)) {
       before = std::move(now);
       std::this_thread::sleep_for(between_looks);
     }
-    // What a file no longer names while it is edited may be named again.
+    // Keep watching files that an input names no longer: it may name them again.
     files.merge(files_behind(words));
   }
 }

@@ -1,4 +1,4 @@
-// --watch: a command's outputs are made anew when a file that it read changes.
+// --watch: makes a command's outputs again when an input file changes.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 
 namespace pomona {
 
-/// Makes, and with --watch makes again whenever one of the files behind `words` has changed and has come to rest, until
-/// a signal ends the program. What goes wrong is printed then, and watching goes on. \param written names of files that
-/// are written, the statistics aside. \throws Error (usage) as check_not_read(), and with --watch if one of the files
-/// is standard output, which cannot be made anew; without it what `make` throws.
+/// Makes the outputs, and with --watch makes them again whenever one of the files that `words` read has changed and is
+/// stable again, until a signal ends the program. It prints errors and goes on. \param written names of the outputs,
+/// without the statistics. \throws Error (usage) as check_not_read(), and with --watch if an output is standard output,
+/// which cannot be made again; without --watch what `make` throws.
 ExitStatus made_or_watched(const Telling& telling, std::vector<std::string> written,
                            const std::vector<std::string>& words, const std::function<ExitStatus()>& make);
 

@@ -20,12 +20,12 @@ struct FarmStatus {
   bool is_complete() const;
 };
 
-/// One of "running", "waiting" (in the queue), "stopped" (its lock is left, and nobody holds it), "missing" (items are,
-/// and nobody is at work on them), "failed" (all are there, some failed), "done".
+/// One of "running", "waiting" (in the queue), "stopped" (its lock exists, but no run holds it), "missing" (items are
+/// missing, and no run makes them), "failed" (all items exist, some failed), "done".
 /// \param shard from 1
 std::string shard_state(const FarmStatus& status, int shard);
 
-/// A line for each shard and one for all: shard, state, done, failed, missing, what Slurm says; columns with a heading.
+/// A line for each shard and one for all: shard, state, done, failed, missing, Slurm's state; columns with a heading.
 std::string as_table(const FarmStatus& status);
 
 /// The same for programs.

@@ -26,7 +26,7 @@ struct JobState {
 struct QueueState {
   std::map<int, JobState> shards;  ///< by the task's number, from 1
   JobState merge;
-  std::string trouble;  ///< why nothing is known; empty if the queue answered
+  std::string trouble;  ///< why the states are unknown; empty if the queue answered
 };
 
 /// Asks squeue, and sacct for jobs that have left the queue, if these programs exist.

@@ -37,18 +37,18 @@ std::string with_retries(const std::string& command, int retries) {
          "done\n";
 }
 
-/// Everything that is the user's stands behind the first command, where Slurm looks for no options (#SBATCH).
+/// The user's texts come after the first command, where Slurm reads no options (#SBATCH).
 std::string script(const std::string& what, const FarmJob& job, const std::string& log, const std::string& rest) {
   return "#!/bin/sh\n# " + what + " Written by `pomona farm slurm`; Slurm keeps a copy of its own.\nset -u\n" + "cd " +
          shell_quoted(job.works_in) + " || exit 66\nexec >>" + log + " 2>&1\n" + rest;
 }
 
-/// Options of sbatch without which a submission is none of ours; "wait" would keep the merge from being submitted.
+/// Options of sbatch that Pomona sets itself; "wait" would block the submission of the merge.
 constexpr std::array<std::string_view, 14> own_options = {
     "array", "dependency", "wrap",  "parsable", "output",  "error", "chdir",
     "input", "test-only",  "usage", "help",     "version", "wait",  "kill-on-invalid-dep"};
 
-/// One word that is one option, and none of ours, not even cut short as getopt allows.
+/// Refuses a word that is not one option, or is one of ours, also abbreviated as getopt allows.
 void check_option(const std::string& word) {
   const auto refuse = [&](const std::string& why, const std::string& hint) {
     throw Error(ExitStatus::usage, "--sbatch=" + word + ": " + why, hint);
@@ -97,7 +97,7 @@ std::vector<std::string> merge_submission(const SlurmOptions& options, const std
 }
 
 std::string submit_script(const FarmJob& job, const SlurmOptions& options, const fs::path& folder) {
-  // The number of the array is known only when it is there: the shell puts it behind "afterany:".
+  // The number of the array is known only after its submission: the shell appends it to "afterany:".
   const std::string array = shell_line(array_submission(job, options, folder / "shard.sh"));
   std::string merge = shell_line(merge_submission(options, "@", folder / "merge.sh"));
   const std::string mark = "'--dependency=afterany:@'";

@@ -43,7 +43,7 @@ class FilesBehind {
     try {
       add_texts(parse_toml(read_toml_text(file), file.string()), file.parent_path());
     } catch (const Error&) {
-      // Its mistakes are reported when it is read.
+      // Its errors are reported when it is read.
     }
   }
   void add_texts(const TomlNode& node, const fs::path& folder) {
@@ -75,7 +75,7 @@ void check_not_read(const std::vector<std::string>& written, const std::vector<s
   std::set<fs::path> files;
   for (const std::string& name : written) {
     std::error_code ignored;
-    // A scene's layout may be written where it was read: it is the same.
+    // A scene's layout may be written to the file it was read from: it is the same.
     if (name.empty() || name.ends_with(".json") || !fs::is_regular_file(name, ignored)) continue;
     if (files.empty()) files = files_behind(words);
     const auto is_it = [&](const fs::path& file) { return fs::equivalent(file, name, ignored); };

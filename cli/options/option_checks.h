@@ -8,13 +8,13 @@
 
 namespace pomona {
 
-/// "INT in [0 - 9]": how CLI11's help writes limits, which the pages read again (cli/pages/command_line.cpp).
+/// "INT in [0 - 9]", as CLI11's help writes limits; cli/pages/command_line.cpp parses it.
 std::string limits_text(const char* type, double low, double high);
 
-/// "{a,b}": how CLI11's help writes a choice.
+/// "{a,b}", as CLI11's help writes a choice.
 std::string choice_text(const std::vector<std::string>& words);
 
-/// A number from `low` to `high`; "nan" is none. Help shows the limits as CLI11's own check does.
+/// A number from `low` to `high`, not "nan". Help shows the limits like CLI11's own check.
 CLI::Validator between(double low, double high);
 
 /// A whole number from `low` to `high`.

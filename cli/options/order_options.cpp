@@ -12,8 +12,7 @@ namespace pomona {
 
 namespace {
 
-/// How CLI11's help names the type of a value, and what it may be, in words that the pages read again
-/// (cli/pages/command_line.cpp).
+/// How CLI11's help names the type of a value and its possible values; cli/pages/command_line.cpp parses it.
 struct TypeText {
   std::string type, limits;
 };

@@ -71,7 +71,7 @@ fs::path find_file(const std::string& kind, const std::string& name_or_path, con
     if (fs::is_regular_file(file, ignored)) return file;
   }
 
-  // It is no name; a file or folder here that is called so is reported as what it is.
+  // The name is unknown; report a file or folder of this name in the current folder.
   if (fs::exists(name_or_path, ignored)) {
     const fs::path file = existing_file(name_or_path);
     throw Error(ExitStatus::bad_data,

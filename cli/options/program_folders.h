@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// Those that are there, and after them a folder of that kind within the current one, and the current one itself.
+/// The existing ones, then a folder of that kind within the current folder, then the current folder itself.
 std::vector<std::filesystem::path> searched_folders(const std::string& kind);
 
 /// A hint if nothing of that kind is found: "looked in A, B and C".

@@ -1,4 +1,4 @@
-// Where what is running lies. The Python module has the second of these functions of its own.
+// The place of the running program. The Python module has its own program_folders().
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace pomona {
 
-/// The running program's file; where /proc is not mounted (a bare chroot), by what it was started as.
+/// The running program's file; without /proc (a bare chroot), from the name it was started by.
 std::filesystem::path this_program();
 
-/// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates. Whether they are there
-/// is not looked at.
+/// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates. The folders may not
+/// exist.
 /// \param kind "templates", "scenes" or "styles"
 std::vector<std::filesystem::path> program_folders(const std::string& kind);
 

@@ -1,4 +1,4 @@
-// An order of a scene: what the scene's own file says of it, and how the scene is composed to it.
+// The order of a scene, completed from the scene's file, and the options to compose it.
 #pragma once
 
 #include "generator/order/order.h"
@@ -8,10 +8,10 @@
 
 namespace pomona {
 
-/// What the order leaves open, the scene says: its seed and its style, whose path starts at the scene's folder.
+/// Completes the order by the scene's seed and style; the style's path starts at the scene's folder.
 Order completed(Order order, const SceneDescription& scene);
 
-/// How the scene is composed. Templates are looked for as on the command line.
+/// The options to compose the scene. Templates are searched as on the command line.
 ComposeOptions compose_options(const Order& order, const DeliveryProgress& progress);
 
 }  // namespace pomona

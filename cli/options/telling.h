@@ -11,9 +11,9 @@ namespace pomona {
 
 struct Telling {
   std::string stats;   ///< file for times and counts; empty = none
-  bool quiet = false;  ///< nothing but errors
+  bool quiet = false;  ///< print only errors
   bool json = false;   ///< the result as JSON on standard output
-  bool watch = false;  ///< make the outputs again when a file that was read changes
+  bool watch = false;  ///< make the outputs again when an input file changes
 };
 
 /// Declares --stats, --quiet, --json and --watch. `telling` must outlive the parsing.

@@ -7,13 +7,13 @@
 
 namespace pomona {
 
-/// Of grow, cut and scene. \throws Error (bug) for another taker, which does not write files of all kinds.
+/// The formats of grow, cut and scene. \throws Error (bug) for other commands.
 const std::vector<Format>& formats_of(OrderTaker taker);
 
-/// Of a solid alone.
+/// The formats of a single solid.
 const std::vector<Format>& piece_formats();
 
-/// A bare section has no solid to put into a file of meshes.
+/// The formats of a bare section, which has no solid for files of meshes.
 const std::vector<Format>& section_formats();
 
 }  // namespace pomona

@@ -14,7 +14,7 @@ namespace pomona {
 
 namespace {
 
-// Positions on the page, a landscape A4 sheet, millimetres.
+// Positions on the page (A4, landscape), millimetres.
 const glm::dvec2 side_axis(74, 142), top_axis(220, 104);
 constexpr double outer_radius = 40;
 
@@ -28,7 +28,7 @@ std::string number(double value) {
 
 std::string point(const glm::dvec2& p) { return number(p.x) + "," + number(p.y); }
 
-/// A point on the page; angles run against the clock as seen, y runs down.
+/// A point on the page; angles are counter-clockwise as seen, y points down.
 glm::dvec2 around_top(double radius, double angle) {
   return top_axis + radius * glm::dvec2(reproducible::cos(angle), -reproducible::sin(angle));
 }
@@ -48,7 +48,7 @@ std::string loop_through(const std::vector<glm::dvec2>& points) {
 /// Where the first fold line lies, as a share of a fold: `half`, at 0 and 180 degrees, passes through chambers.
 double first_line(int folds) { return folds == 1 ? 0.4 : 0.25; }
 
-/// Lobes between grooves at the fold lines, or one roundish loop.
+/// Lobes between grooves at the fold lines, or one round loop.
 std::string outline(double radius, int folds) {
   std::vector<glm::dvec2> points;
   const int lobes = std::max(folds, 1);
@@ -123,7 +123,7 @@ std::string side_view(const StartingSketchOptions& options) {
                from({0, -5}, "c 14,0 34,-13 34,-35 0,-20 -12,-34 -23,-34 -4,0 -8,4 -11,6"));
   text += path("side-core", "core", "#6a8c2a", from({0, -10}, "c 5,0 8,-8 8,-28 0,-16 -2,-26 -8,-28"));
   if (options.side) {
-    // The line along which the picture's colours are taken lies just inside the skin.
+    // The line for sampling the picture's colours lies just inside the skin.
     text += path("side-colors", "skin colours", "#8020c0",
                  from({2, -2}, "c 16,0 36,-15 36,-38 0,-23 -14,-38 -26,-38 -4,0 -6,3 -9,5"));
   }

@@ -27,11 +27,11 @@ struct StartingSketch {
   std::string toml;  ///< text of NAME.toml beside it
 };
 
-/// Curves of a made-up fruit 60 mm wide that can be checked, grown and cut as they are.
+/// Curves of an example fruit, 60 mm wide, that can be checked, grown and cut at once.
 StartingSketch starting_sketch(const StartingSketchOptions& options);
 
-/// A fruit's name, from that of the template to be.
-/// \throws Error (usage) where it is no plain name, or ends otherwise
+/// A fruit's name, from the name of its new template.
+/// \throws Error (usage) for an invalid name or another ending
 std::string fruit_name(const std::filesystem::path& file);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// What a client and the studio say to each other, within a time.
+// A connection of a client to the studio, with time limits.
 #pragma once
 
 #include <chrono>
@@ -12,25 +12,25 @@
 
 namespace pomona {
 
-/// How long a client may take. What is done between reading and writing, it does not.
+/// How long a client may take. The studio's own work between reading and writing does not count.
 struct ConnectionTimes {
-  std::chrono::milliseconds idle{5000};      ///< without a byte from it, or taken by it
-  std::chrono::milliseconds request{30000};  ///< to send all
-  std::chrono::milliseconds reply{60000};    ///< to take all
+  std::chrono::milliseconds idle{5000};      ///< without a byte received or sent
+  std::chrono::milliseconds request{30000};  ///< for the whole request
+  std::chrono::milliseconds reply{60000};    ///< for the whole reply
 };
 
 class Connection {
  public:
-  /// \param head what was read of it before, which read() gives again.
+  /// \param head the bytes that were read before; read() returns them first.
   Connection(Descriptor socket, std::string head, const ConnectionTimes& times);
   Connection(Connection&&) = default;
   ~Connection();
 
-  /// Whether something can be read, or written, before the time is over.
+  /// True if something can be read, or written, before the time is over.
   bool is_readable() const;
   bool is_writable();
 
-  /// How many bytes that were; 0 at the end, below 0 where the time is over or the client has gone.
+  /// The number of bytes; 0 at the end, negative if the time is over or the client has gone.
   ssize_t read(char* bytes, std::size_t size);
   ssize_t write(const char* bytes, std::size_t size);
 

@@ -11,7 +11,7 @@ using nlohmann::json;
 
 constexpr std::size_t max_keys = 32;
 
-/// Takes what the parser finds; whatever returns false ends the reading.
+/// Receives the parser's events; a false result stops the parser.
 class FlatObject final : public nlohmann::json_sax<json> {
  public:
   json take() { return std::move(object_); }

@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// Null if it is anything else: with objects or lists inside it, or with more than 32 keys. Reading ends at the first
-/// of these, so that a request takes little more memory than it has bytes; as a tree, a list of empty lists takes
+/// Null if the text is anything else: with objects or lists inside, or with more than 32 keys. Reading stops at the
+/// first of these, so that a request takes little more memory than it has bytes: a tree of a list of empty lists takes
 /// thirty times as much.
 nlohmann::json parse_flat_json(const std::string& text);
 

@@ -1,4 +1,4 @@
-// A fruit as one edits it: two texts.
+// The two texts of a fruit that is edited.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace pomona {
 
 struct FruitTexts {
   std::string toml;
-  std::string svg;  ///< empty where the template holds its curves itself
+  std::string svg;  ///< empty if the template has its curves itself
 
   bool operator==(const FruitTexts&) const = default;
 };

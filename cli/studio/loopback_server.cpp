@@ -24,9 +24,9 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t longest_path = 100;
-constexpr int max_requests = 32;  // at a time: each has a thread while it is answered
+constexpr int max_requests = 32;  // in parallel: each has a thread while it is answered
 
-/// Looks at all letters, however many are right.
+/// Compares all letters, so that the time tells nothing about the token.
 bool is_token(std::string_view given, std::string_view token) {
   unsigned different = given.size() == token.size() ? 0 : 1;
   for (std::size_t i = 0; i < token.size(); ++i)
@@ -35,12 +35,14 @@ bool is_token(std::string_view given, std::string_view token) {
 }
 
 WebReply refused(int status, const std::string& message, const std::string& hint = {}) {
-  const auto quoted = [](const std::string& text) { return "\"" + text + "\""; };  // of our own words, without quotes
+  const auto quoted = [](const std::string& text) {
+    return "\"" + text + "\"";
+  };  // only for our own texts, which have no quotes
   return {status, "application/json",
           "{\"errors\":[{\"message\":" + quoted(message) + ",\"hint\":" + quoted(hint) + "}]}"};
 }
 
-/// A connection as the library reads it.
+/// A connection as the library's stream.
 class ConnectionStream final : public httplib::Stream {
  public:
   explicit ConnectionStream(Connection& connection) : connection_(connection) {}
@@ -56,20 +58,21 @@ class ConnectionStream final : public httplib::Stream {
   Connection& connection_;
 };
 
-/// What the library accepts it hands over at once.
+/// A queue that runs each task at once, on the accepting thread.
 class AtOnce final : public httplib::TaskQueue {
  public:
   void enqueue(std::function<void()> task) override { task(); }
   void shutdown() override {}
 };
 
-/// Connections wait for their heads without a thread; those whose head is there are answered side by side.
+/// Connections wait for their heads without a thread of their own; complete ones are answered in parallel.
 class HeadsFirst final : public httplib::Server {
  public:
   explicit HeadsFirst(std::chrono::seconds idle) : idle_(idle) {}
 
   void serve() {
-    // Where the system gives few threads, the library would wait for ever for others: one listens, one reads heads.
+    // If the system gives few threads, the library would wait forever for the others. One thread listens, one reads
+    // heads.
     httplib::ThreadPool answering(static_cast<std::size_t>(std::max(1, threads_given(max_requests) - 2)));
     {
       WaitingHeads heads({}, [&](Descriptor socket, std::string head) {
@@ -82,7 +85,7 @@ class HeadsFirst final : public httplib::Server {
         });
       });
       heads_ = &heads;
-      ::listen(svr_sock_, SOMAXCONN);  // the library lets five wait to be accepted
+      ::listen(svr_sock_, SOMAXCONN);  // the library's own backlog is five
       new_task_queue = [] { return new AtOnce; };
       listen_after_bind();
     }
@@ -111,7 +114,7 @@ struct LoopbackServer::Listener {
   Listener(LoopbackOptions wanted, std::function<WebReply(const WebRequest&)> answers)
       : options(std::move(wanted)), handler(std::move(answers)), server(std::chrono::seconds(options.idle_seconds)) {}
 
-  /// Why a request is not even read to its end; nothing if it may be.
+  /// Why a request is refused before it is read to its end; nothing if it is not.
   std::optional<WebReply> fault_of(const httplib::Request& request) const {
     if (request.get_header_value_count("Host") != 1 || request.get_header_value("Host") != host)
       return refused(421, "this server answers to http://" + host + " alone");
@@ -153,7 +156,7 @@ struct LoopbackServer::Listener {
     return known;
   }
 
-  /// Bodies are taken as long as they come in time: the library's own limit starts anew with every byte.
+  /// A body must arrive within its time: the library's own limit starts anew with every byte.
   void post(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& read) {
     WebRequest wanted = known(request);
     const StopWatch watch;
@@ -166,7 +169,7 @@ struct LoopbackServer::Listener {
 
   void set_up() {
     using Answer = httplib::Server::HandlerResponse;
-    // One request a connection: what is refused leaves nothing behind that could pass for the next request.
+    // One request per connection: the rest of a refused request can then not be taken for the next one.
     server.set_payload_max_length(options.max_body_bytes);
     server.set_tcp_nodelay(true);
     server.set_default_headers({{"Content-Security-Policy", options.page_policy},

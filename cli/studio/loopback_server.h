@@ -1,4 +1,4 @@
-// A server that only this machine's browser may talk to. The library behind it is known to loopback_server.cpp alone.
+// A server for a browser on this machine only. Only loopback_server.cpp knows the HTTP library.
 #pragma once
 
 #include <cstddef>
@@ -26,17 +26,17 @@ struct LoopbackOptions {
   std::string token;  ///< every request shows it: in the address of "/", else in the header X-Pomona-Token
   std::string page_policy = "default-src 'none'";  ///< Content-Security-Policy of every reply
   std::size_t max_body_bytes = std::size_t{32} << 20;
-  int max_body_seconds = 20;  ///< for a body to arrive
-  int idle_seconds = 5;       ///< a connection on which nothing arrives, or goes out, is closed
+  int max_body_seconds = 20;  ///< until a body has arrived
+  int idle_seconds = 5;       ///< a connection without a byte received or sent for so long is closed
 };
 
-/// Answers on a free port of 127.0.0.1 and nowhere else. What lacks the token, names another host, comes from another
-/// origin, is no GET or POST of JSON, has a body beyond the limits, or none of a known length, is refused before the
-/// handler sees it, in words; so are paths longer than a hundred letters. Requests are handled side by side, once
-/// their heads have arrived (waiting_heads.h); what takes longer than its time is closed.
+/// Answers on a free port of 127.0.0.1 only. It refuses, before the handler sees it and with a reason, a request
+/// without the token, for another host, from another origin, other than GET or POST of JSON, with a body beyond the
+/// limits or of unknown length, or with a path of more than a hundred letters. Requests are handled in parallel, once
+/// their heads have arrived (waiting_heads.h); those that exceed their time are closed.
 class LoopbackServer {
  public:
-  /// \throws Error (cannot_create) if there is no free port.
+  /// \throws Error (cannot_create) without a free port.
   LoopbackServer(LoopbackOptions options, std::function<WebReply(const WebRequest&)> handler);
   ~LoopbackServer();
   LoopbackServer(const LoopbackServer&) = delete;
@@ -44,7 +44,7 @@ class LoopbackServer {
 
   int port() const;
 
-  /// Until stop() is called, from another thread.
+  /// Runs until another thread calls stop().
   void serve();
   void stop();
 

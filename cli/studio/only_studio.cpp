@@ -19,7 +19,7 @@ namespace pomona {
 
 namespace {
 
-/// One for all paths to a file, and another for every user.
+/// The same name for all paths to a file, another one for every user.
 std::string name_of(const fs::path& toml) {
   std::error_code failed;
   fs::path whole = fs::weakly_canonical(fs::absolute(toml), failed);
@@ -30,13 +30,13 @@ std::string name_of(const fs::path& toml) {
 }  // namespace
 
 OnlyStudio::OnlyStudio(const fs::path& toml) : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-  // Names that begin with a zero are Linux's own, and have no file [unix(7)].
+  // On Linux a socket's name that begins with a zero byte is abstract: it has no file [unix(7)].
   const std::string name = name_of(toml);
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::copy(name.begin(), name.end(), address.sun_path + 1);
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-  if (!socket_.is_open()) return;  // where there are no such names, nothing is locked
+  if (!socket_.is_open()) return;  // without abstract sockets there is no lock
   if (::bind(socket_.number(), reinterpret_cast<const sockaddr*>(&address), size) == 0 || errno != EADDRINUSE) return;
   throw Error(ExitStatus::locked, {{{toml.string(), 0, 0, {}},
                                     "is open in another studio",

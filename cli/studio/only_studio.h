@@ -1,4 +1,4 @@
-// One studio for each fruit: a second one on this machine would write over what the first keeps.
+// One studio for each fruit: a second one on this machine would overwrite the edits of the first.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,12 @@
 
 namespace pomona {
 
-/// Held as long as a studio is open. It is a name of the machine's, no file: it goes with the process, however that
-/// ends.
+/// A lock that a studio holds as long as it is open: an abstract socket, not a file, so that it disappears with the
+/// process in every case.
 class OnlyStudio {
  public:
-  /// \param toml the template, which need not be there yet; all paths to one file are the same.
-  /// \throws Error (locked) if this user's other studio has it open
+  /// \param toml the template, which may not exist yet; all paths to a file are the same lock.
+  /// \throws Error (locked) if another studio of this user has it open
   explicit OnlyStudio(const std::filesystem::path& toml);
 
  private:

@@ -11,21 +11,21 @@ namespace pomona {
 
 namespace {
 
-/// Where a row meets the boundary: the place in pixels, and +1 where the row comes in, -1 where it goes out.
+/// Where a row crosses the boundary: the place in pixels, and +1 where the row enters the fruit, -1 where it leaves it.
 struct RowCrossing {
   double place = 0;
   int turn = 0;
 };
 using Rows = std::vector<std::vector<RowCrossing>>;
 
-/// A point of the boundary in the frame: x and y in pixels, z beside the plane.
+/// A point of the boundary in the frame: x and y in pixels, z the distance from the plane.
 glm::dvec3 in_frame(const PictureFrame& frame, const glm::dvec3& point) {
   const glm::dvec3 from = point - frame.corner, across = glm::normalize(glm::cross(frame.right, frame.down));
   return {glm::dot(from, frame.right) / glm::dot(frame.right, frame.right) * frame.width,
           glm::dot(from, frame.down) / glm::dot(frame.down, frame.down) * frame.height, glm::dot(from, across)};
 }
 
-/// The line a -> b on which a triangle meets the plane, to the rows that pass it; `side` tells where air is.
+/// Adds the line a -> b, in which a triangle meets the plane, to the rows that cross it; `side` tells the side of air.
 void add_line(const glm::dvec2& a, const glm::dvec2& b, int side, Rows& rows) {
   const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
   const int first = std::max(0, static_cast<int>(std::ceil(std::max(low - 0.5, -1.0))));
@@ -44,7 +44,7 @@ Rows crossings_with(const DiffusionSurfaces& surfaces, const PictureFrame& frame
   for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
     if (!surfaces.is_boundary(t)) continue;
     const glm::uvec3& corner = surfaces.triangle[t];
-    std::array<glm::dvec2, 2> ends{};  // where the triangle comes up through the plane, and where it goes down again
+    std::array<glm::dvec2, 2> ends{};  // where the triangle's edge crosses the plane upwards, and downwards
     int found = 0;
     for (int k = 0; k < 3; ++k) {
       const glm::dvec3 &p = place[corner[k]], &q = place[corner[(k + 1) % 3]];
@@ -57,7 +57,7 @@ Rows crossings_with(const DiffusionSurfaces& surfaces, const PictureFrame& frame
   return rows;
 }
 
-/// How much of each pixel of a row lies inside, exact along the row.
+/// The share of each pixel of a row that lies inside, exact along the row.
 std::vector<double> inside_of(std::vector<RowCrossing> row, int width) {
   std::vector<double> share(static_cast<std::size_t>(width), 0.0);
   std::sort(row.begin(), row.end(), [](const RowCrossing& a, const RowCrossing& b) { return a.place < b.place; });

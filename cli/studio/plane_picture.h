@@ -1,4 +1,4 @@
-// A section as pixels: what the drawing shows under its curves while they are dragged.
+// A section as pixels, shown under the curves of the drawing while they are dragged.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace pomona {
 
-/// A rectangle in space, to be looked at: its corner at the top left, and its sides.
+/// The rectangle in space that a picture shows: its top left corner and its sides.
 struct PictureFrame {
   glm::dvec3 corner{0}, right{1, 0, 0}, down{0, -1, 0};  ///< metres
   int width = 1, height = 1;                             ///< pixels
 };
 
-/// Red, green, blue (sRGB) and how much of the pixel lies inside, row by row from above. Inside is where the boundary
-/// to air winds around: counted along rows, so that no triangulation is needed.
+/// Red, green, blue (sRGB) and the share of the pixel inside the fruit, row by row from the top. The winding of the
+/// boundary to air, counted along rows, tells inside from outside, so no triangulation is needed.
 std::vector<std::uint8_t> plane_picture(const DiffusionSurfaces& surfaces, const ColorField& field,
                                         const PictureFrame& frame);
 

@@ -34,11 +34,11 @@ struct StudioCommand {
   NewFruit starting;
 };
 
-/// What the studio opens: files that are there, or texts for files that are not.
+/// What the studio opens: existing files, or texts for new files.
 struct Opened {
   WorkspaceFiles files;
   std::optional<FruitTexts> starting;
-  std::vector<OutputFile> beside;  ///< what these texts read and what is not there yet
+  std::vector<OutputFile> beside;  ///< files that these texts read and that do not exist yet
 };
 
 Opened new_fruit(const fs::path& toml, const StudioCommand& command) {
@@ -48,7 +48,7 @@ Opened new_fruit(const fs::path& toml, const StudioCommand& command) {
           std::move(made.pictures)};
 }
 
-/// What the template reads beside it and the studio does not hold as text: its meshes, as they are to lie in `folder`.
+/// The template's meshes, which the studio does not hold as text, with their paths in `folder`.
 std::vector<OutputFile> meshes_for_copy(const fs::path& original, const fs::path& folder) {
   std::vector<OutputFile> copies;
   for (const MeshSketch& mesh : read_template(original).meshes) {
@@ -60,7 +60,7 @@ std::vector<OutputFile> meshes_for_copy(const fs::path& original, const fs::path
   return copies;
 }
 
-/// One of the program's own fruits is copied into the current folder once it is saved: the original stays as it is.
+/// Opens a copy of one of the program's own fruits: saving writes it into the current folder.
 Opened copy_of(const fs::path& original) {
   const std::string toml = read_toml_text(original);
   const Workspace texts(workspace_files(original, toml), {});
@@ -82,7 +82,7 @@ Opened opened(const StudioCommand& command) {
 }
 
 ExitStatus open_studio(const StudioCommand& command) {
-  share_heaps(resolved(Threads{}) + 1);  // one for each thread that computes, one for what comes meanwhile
+  share_heaps(resolved(Threads{}) + 1);  // one for each computing thread, one for requests in the meantime
   Opened fruit = opened(command);
   const OnlyStudio only(fruit.files.toml);
   write_whole(fruit.beside);

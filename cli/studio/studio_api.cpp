@@ -31,7 +31,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::uintmax_t max_picture_bytes = std::uintmax_t{64} << 20;
-constexpr int max_at_work = 12;  // a browser asks for six at a time
+constexpr int max_at_work = 12;  // a browser sends six at a time
 constexpr std::string_view binary = "application/octet-stream";
 
 WebReply json_reply(int status, const ordered_json& body) { return {status, "application/json", json_text(body)}; }
@@ -40,7 +40,7 @@ WebReply error_reply(int status, const std::string& message, const std::string& 
   return json_reply(status, {{"errors", {{{"message", message}, {"hint", hint}}}}});
 }
 
-/// Without the folder, which is the same for all: "kiwi.svg:12:5".
+/// The text without the folder: "kiwi.svg:12:5".
 std::string without_folder(std::string text, const fs::path& file) {
   const std::string folder = file.parent_path().string();
   if (folder.empty()) return text;
@@ -79,7 +79,7 @@ std::string text_in(const json& wanted, const char* key) {
   return wanted[key];
 }
 
-/// A number within bounds; `otherwise` where it is missing or null.
+/// A number within bounds; `otherwise` if it is missing or null.
 double number_in(const json& wanted, const char* key, double otherwise, double min, double max) {
   if (!wanted.contains(key) || wanted[key].is_null()) return otherwise;
   if (!wanted[key].is_number() || !(wanted[key].get<double>() >= min && wanted[key].get<double>() <= max))
@@ -113,7 +113,7 @@ ordered_json numbers_of(const std::optional<SvgTransform>& t) {
 
 ordered_json numbers_of(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
-/// A header of JSON behind its length, then the pixels of all pictures.
+/// The length of a JSON header, the header, then the pixels of all pictures.
 std::string packed(const StudioFruit& fruit, const std::vector<SectionPicture>& pictures) {
   ordered_json head = {{"parts", fruit.source.fruit.parts},
                        {"drawing", {{"side", numbers_of(fruit.drawn.side)}, {"top", numbers_of(fruit.drawn.top)}}},
@@ -175,7 +175,7 @@ WebReply StudioApi::routed(const WebRequest& request) {
   return error_reply(404, "there is nothing at this path");
 }
 
-/// What takes long, or much memory, never takes all threads: edits are kept and saved meanwhile.
+/// Long or large work never takes all threads, so that edits can be kept and saved meanwhile.
 WebReply StudioApi::made(const WebRequest& request) {
   if (++at_work_ > max_at_work) {
     --at_work_;
@@ -245,7 +245,8 @@ WebReply StudioApi::asset(const std::string& body) {
   return {200, std::string(binary), asset_bytes(fruit->source, fruit->order, fruit->wanted.draft)};
 }
 
-/// A picture that the drawing links to: in its folder or below, and a picture by its first bytes.
+/// A picture that the drawing links to. It must lie in the drawing's folder or below, and its first bytes must be those
+/// of a picture.
 WebReply StudioApi::picture(const std::string& href) const {
   const fs::path folder = workspace_.files().toml.parent_path(), file = folder / href;
   std::error_code wrong;

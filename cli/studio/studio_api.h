@@ -1,4 +1,4 @@
-// What the studio's page asks, and what it is answered: docs/guides/studio.md has the list.
+// The requests of the studio's page and their replies: docs/guides/studio.md lists them.
 #pragma once
 
 #include <atomic>
@@ -12,10 +12,10 @@ namespace pomona {
 
 class StudioApi {
  public:
-  /// \param page the HTML that "/" is answered with
+  /// \param page the HTML of "/"
   StudioApi(Workspace& workspace, std::string page);
 
-  /// Never throws: what goes wrong is told in the reply, each error with its place in the template and in the drawing.
+  /// Never throws: the reply tells the errors, each with its place in the template and in the drawing.
   WebReply answer(const WebRequest& request);
 
  private:
@@ -32,7 +32,7 @@ class StudioApi {
   Workspace& workspace_;
   StudioFruits fruits_;
   std::string page_;
-  std::atomic<int> at_work_ = 0;  ///< requests that grow a fruit or read a picture
+  std::atomic<int> at_work_ = 0;  ///< running requests that grow a fruit or read a picture
 };
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// The files that the studio's page is made of, as they were when the program was built.
+// The files of the studio's page, embedded when the program was built.
 #pragma once
 
 #include <span>

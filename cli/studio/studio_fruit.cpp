@@ -11,7 +11,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t max_kept = 3;  // what is dragged, what is drawn, and the variant that is shown
+constexpr std::size_t max_kept = 3;  // the fruit that is dragged, the fruit as drawn, and the shown variant
 
 std::shared_ptr<const StudioFruit> grow_anew(const WantedFruit& wanted, const std::filesystem::path& file) {
   auto fruit = std::make_shared<StudioFruit>();
@@ -30,7 +30,7 @@ std::shared_ptr<const StudioFruit> grow_anew(const WantedFruit& wanted, const st
   return fruit;
 }
 
-/// A margin of a hundredth, so that edges are not cut off.
+/// Adds a margin of a hundredth, so that edges are not cut off.
 PictureFrame framed(const glm::dvec3& corner, const glm::dvec3& right, const glm::dvec3& down, int size) {
   const glm::dvec3 margin = 0.01 * (right + down);
   const double width = 1.02 * glm::length(right), height = 1.02 * glm::length(down);
@@ -43,7 +43,7 @@ PictureFrame framed(const glm::dvec3& corner, const glm::dvec3& right, const glm
 
 const ColorField& StudioFruit::field() const {
   std::call_once(solved_, [this] {
-    // Finer grids around seeds take as long as all the rest; a curve that is dragged is seen without them.
+    // Finer patches around seeds take as long as all the rest, so dragging goes without them.
     const HarmonicOptions quick{.quality = Quality::draft, .finer = 0};
     field_ = make_harmonic_diffuser(wanted.draft ? quick : HarmonicOptions{})->field(source.grown.sheets);
   });

@@ -1,4 +1,4 @@
-// From the texts in the editor to what the studio's page shows of them: by the program's own reader and engine.
+// From the texts in the editor to the pictures of the studio's page, by the program's own reader and engine.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace pomona {
 
-/// What of the fruit is to be seen: the options of `cut` that have sliders.
+/// The fruit to show: the options of `cut` that have sliders.
 struct WantedFruit {
   FruitTexts texts;
   std::uint64_t seed = 0;
@@ -34,9 +34,9 @@ struct StudioFruit {
   WantedFruit wanted;
   DrawnTemplate drawn;
   OrderedFruit source;
-  Order order;  ///< that the command line would give
+  Order order;  ///< as the command line would give it
 
-  /// Of the grid, draft or final; solved when it is first asked for.
+  /// The field on the grid, draft or final; solved at its first use.
   const ColorField& field() const;
 
  private:
@@ -44,21 +44,21 @@ struct StudioFruit {
   mutable std::unique_ptr<ColorField> field_;
 };
 
-/// A section where the drawing shows it.
+/// A section and its place in the drawing.
 struct SectionPicture {
   std::string view;  ///< "side": the plane of the axis, +X at the right; "top": across, seen from above
   PictureFrame frame;
   std::vector<std::uint8_t> pixels;
 };
 
-/// Grows what is asked for, and keeps the last ones: a plane that moves asks for the same fruit again. May be called
-/// from any thread; one fruit is grown at a time.
+/// Grows fruits and keeps the last ones, because a plane that moves asks for the same fruit again. May be called from
+/// any thread; one fruit is grown at a time.
 class StudioFruits {
  public:
-  /// \param file the template, for messages and for what it names beside it
+  /// \param file the template, for messages and for the files that it names
   explicit StudioFruits(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// \throws Error (bad_data) with all that is wrong in the texts
+  /// \throws Error (bad_data) with all errors of the texts
   std::shared_ptr<const StudioFruit> grown(const WantedFruit& wanted);
 
  private:

@@ -39,7 +39,7 @@ void WaitingHeads::add(Descriptor socket) {
   ::eventfd_write(wake_.number(), 1);
 }
 
-/// Until something arrives anywhere, or the first has no time left.
+/// Waits until something arrives on any connection, or the time of the first one is over.
 void WaitingHeads::wait_for_any() {
   std::vector<pollfd> all = {{wake_.number(), POLLIN, 0}};
   for (const Head& head : heads_) all.push_back({head.socket.number(), POLLIN, 0});
@@ -64,7 +64,7 @@ WaitingHeads::Progress WaitingHeads::read_some(Head& head) const {
   if (count < 0) return errno == EAGAIN || errno == EINTR ? Progress::waits : Progress::gone;
   if (count == 0) return Progress::gone;
 
-  // The end of a head may come in two parts.
+  // The end of a head may arrive in two parts.
   const std::size_t from = head.text.size() < 3 ? 0 : head.text.size() - 3;
   head.text.append(bytes.data(), static_cast<std::size_t>(count));
   if (head.text.find("\r\n\r\n", from) != std::string::npos) return Progress::arrived;
@@ -86,7 +86,7 @@ void WaitingHeads::read_all() {
       if (progress == Progress::arrived) arrived_(std::move(head->socket), std::move(head->text));
       head = progress == Progress::waits ? std::next(head) : heads_.erase(head);
     }
-    // What was there of the new ones has been read: those that go have sent nothing whole.
+    // All arrived bytes have been read by now, so the connections closed here have no complete head.
     while (heads_.size() > limits_.connections) heads_.pop_front();
   }
 }

@@ -1,5 +1,5 @@
-// Connections whose request has not arrived yet. One thread reads them all, so that no number of clients that send
-// slowly, or nothing, keeps others from being answered.
+// Connections whose request has not arrived yet. One thread reads them all, so that clients that send slowly, or
+// nothing, cannot block others, however many they are.
 #pragma once
 
 #include <chrono>
@@ -15,21 +15,21 @@
 namespace pomona {
 
 struct HeadLimits {
-  std::size_t connections = 200;  ///< that wait at a time; one more, and the one that has waited longest is closed
-  std::size_t bytes = 16384;      ///< of a head: a request and its headers
+  std::size_t connections = 200;         ///< that wait at a time; beyond it the one that has waited longest is closed
+  std::size_t bytes = 16384;             ///< of a head: a request and its headers
   std::chrono::milliseconds time{5000};  ///< for a whole head to arrive
 };
 
 class WaitingHeads {
  public:
-  /// \param arrived is called, on the thread that reads, for each connection whose head is whole, with what was read.
+  /// \param arrived is called, on the reading thread, for each connection whose head is complete, with the bytes read.
   /// Connections that take too long, send too much or end before are closed.
   WaitingHeads(const HeadLimits& limits, std::function<void(Descriptor, std::string)> arrived);
   ~WaitingHeads();
   WaitingHeads(const WaitingHeads&) = delete;
   WaitingHeads& operator=(const WaitingHeads&) = delete;
 
-  /// By any thread.
+  /// May be called from any thread.
   void add(Descriptor socket);
 
  private:
@@ -47,10 +47,10 @@ class WaitingHeads {
 
   HeadLimits limits_;
   std::function<void(Descriptor, std::string)> arrived_;
-  std::list<Head> heads_;  ///< of the reading thread; who has waited longest is the first
+  std::list<Head> heads_;  ///< used by the reading thread; the one that has waited longest is first
   std::mutex mutex_;
-  std::list<Head> new_;  ///< under the mutex
-  bool ended_ = false;   ///< under the mutex
+  std::list<Head> new_;  ///< guarded by the mutex
+  bool ended_ = false;   ///< guarded by the mutex
   Descriptor wake_;      ///< an eventfd: there are new ones, or it is the end
   std::thread reader_;
 };

@@ -20,7 +20,7 @@ namespace pomona {
 namespace {
 
 constexpr std::uintmax_t max_text_bytes = std::uintmax_t{24} << 20;  // of a template or a sketch
-// Two texts twice, and as much again for what JSON writes as two letters.
+// Two texts, each twice, and twice that for characters that JSON escapes.
 constexpr std::uintmax_t max_unsaved_bytes = 8 * max_text_bytes;
 
 void check_size(const fs::path& file, std::uintmax_t bytes, std::uintmax_t max) {
@@ -50,7 +50,7 @@ WorkspaceFiles workspace_files(const fs::path& toml, const std::string& text) {
       if (entry.key == "sketch" && entry.value.kind == TomlNode::Kind::string) sketch = entry.value.text;
     }
   } catch (const Error&) {
-    // A template that is no TOML is opened to be mended; its sketch has its name most likely.
+    // A template that is no valid TOML is opened so that it can be corrected; its sketch probably has the same name.
     const fs::path likely = fs::path(toml).replace_extension(".svg");
     if (fs::exists(likely)) sketch = likely.filename().string();
   }
@@ -78,8 +78,8 @@ FruitTexts Workspace::on_disk() const {
   return {kept_text(files_.toml), files_.svg.empty() ? "" : kept_text(files_.svg)};
 }
 
-/// What an earlier studio left when it was killed. What is no such file is left alone, and told by the next edit's
-/// save.
+/// Reads the unsaved edits of a studio that was killed. A file of another kind is not touched; the next edit's save
+/// tells of it.
 void Workspace::recover() {
   std::error_code ignored;
   if (!fs::is_regular_file(files_.unsaved, ignored)) return;
@@ -108,7 +108,7 @@ void Workspace::forget_unsaved() const {
   fs::remove(files_.unsaved, ignored);
 }
 
-/// Looks at the files: texts that nobody has edited become theirs.
+/// Reads the files again, if the texts are not edited.
 void Workspace::take_in() {
   std::error_code ignored;
   if (!fs::is_regular_file(files_.toml, ignored)) return;
@@ -138,7 +138,7 @@ std::optional<std::uint64_t> Workspace::change(std::uint64_t seen, FruitTexts te
   const std::lock_guard lock(mutex_);
   if (seen != state_.version) return {};
   if (texts == state_.texts) return state_.version;
-  // What could not be opened again is not taken.
+  // An edit that the studio could not open again is refused.
   check_size(files_.toml, texts.toml.size(), max_text_bytes);
   check_size(files_.svg, texts.svg.size(), max_text_bytes);
   const WorkspaceState before = state_;

@@ -13,7 +13,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t largest_hash_table = 16 << 20;  // bytes; ours has a hundred thousand
+constexpr std::size_t largest_hash_table = 16 << 20;  // bytes; the published one has a hundred thousand
 
 std::vector<std::string_view> words_in(std::string_view line) {
   std::vector<std::string_view> words;
@@ -31,7 +31,7 @@ bool is_hash(std::string_view word) {
   return word.size() == hash_digits && word.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// One of the seeds that are compared; each has one digit.
+/// A compared seed, which has one digit.
 std::optional<std::uint64_t> seed_in(std::string_view word) {
   static_assert(verified_seeds == 10);
   if (word.size() != 1 || word[0] < '0' || word[0] > '9') return {};
@@ -42,7 +42,7 @@ bool is_verified_knife(std::string_view word) {
   return std::find(verified_knives.begin(), verified_knives.end(), word) != verified_knives.end();
 }
 
-/// Nothing where the line is none of such a table.
+/// Nothing for a line that is not of such a table.
 std::optional<std::pair<VerifiedCut, StageHashes>> hash_line(std::string_view line) {
   const std::vector<std::string_view> words = words_in(line);
   if (words.size() != 3 + verified_stages.size()) return {};

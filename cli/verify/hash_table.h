@@ -1,4 +1,4 @@
-// The table of hashes that every machine is to arrive at.
+// The table of hashes that every machine must reproduce.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,14 @@ namespace pomona {
 
 using HashTable = std::map<VerifiedCut, StageHashes>;
 
-/// A line "TEMPLATE SEED KNIFE HASH ..." for each cut, sorted, after a comment that says what they are.
+/// A line "TEMPLATE SEED KNIFE HASH ..." for each cut, sorted, after an explaining comment.
 std::string write_hash_table(const HashTable& table);
 
-/// \param file for messages. \throws Error (bad_data) with the line, for what is not such a table, or one larger than
-/// tables are.
+/// \param file for messages. \throws Error (bad_data) with the line, for a text that is not such a table or is too
+/// large.
 HashTable parse_hash_table(std::string_view text, const std::string& file);
 
-/// \throws Error (input_missing) where it cannot be read.
+/// \throws Error (input_missing) if it cannot be read.
 HashTable read_hash_table(const std::filesystem::path& file);
 
 }  // namespace pomona

@@ -25,7 +25,7 @@ namespace pomona {
 
 namespace {
 
-/// Gathers numbers in the order in which they are named.
+/// Collects numbers in the order of the calls.
 class GatheredNumbers {
  public:
   void add(std::initializer_list<double> numbers) { all_.insert(all_.end(), numbers); }

@@ -1,4 +1,4 @@
-// Batch files: which fruit, how many, cut how, written as what. Read like templates, with the same kind of errors.
+// Batch files: fruits, their numbers, knives and formats. Read like templates, with the same kind of errors.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct TemplateWanted {
 /// The order of a batch without any options: textures have only base colour.
 Order usual_batch_order();
 
-/// The options of the table that a batch takes and that are no lists: one value for all items of an entry.
+/// The options of a batch that are not lists: one value for all items of an entry.
 std::vector<const OrderOption*> batch_options();
 
 /// The quality and formats of items; those of [batch] are the defaults of all entries.
@@ -39,7 +39,7 @@ struct AssetOptions {
   bool apart = false;     ///< each piece has files of its own
 };
 
-/// Everything that is a list multiplies, but for the formats.
+/// All lists multiply, except for the formats.
 struct BatchEntry {
   std::string name;
   SourcePlace place;
@@ -47,11 +47,11 @@ struct BatchEntry {
   std::vector<TemplateWanted> templates;
 
   // One of the three says which variants.
-  std::vector<std::uint64_t> seeds;  ///< these of each template, as on the command line
+  std::vector<std::uint64_t> seeds;  ///< seeds of each template, as on the command line
   int count = 0;                     ///< number of new variants of each template
   int total = 0;                     ///< number of new variants, of the templates in turn
 
-  // Empty optionals are what the variant draws or has.
+  // An empty optional is the variant's own value.
   std::vector<std::optional<int>> folds{std::nullopt};
   std::vector<std::optional<double>> ripeness{std::nullopt};
   std::vector<double> browning{0};
@@ -73,7 +73,7 @@ BatchDescription parse_batch(std::string_view toml, const std::string& file);
 /// \throws Error (input_missing) if it cannot be read.
 BatchDescription read_batch(const std::filesystem::path& file);
 
-/// True for a .toml file with a table [batch] or an [[entry]]: a batch, no scene and no template.
+/// True for a .toml file with a table [batch] or an [[entry]].
 bool is_batch_file(const std::filesystem::path& file);
 
 }  // namespace pomona

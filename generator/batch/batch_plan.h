@@ -1,5 +1,5 @@
-// A batch ready to be made: its templates read, its lists multiplied. Items are not stored; each is worked out from its
-// number, so that ten million of them cost nothing.
+// A batch ready to be made: templates are read, lists multiplied. Items are not stored; each is computed from its
+// number, so that ten million of them need no memory.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct PlannedEntry {
   BatchEntry wanted;
   std::vector<std::size_t> templates;   ///< indices into BatchPlan::templates
   std::int64_t variants = 0;            ///< individuals to grow
-  std::int64_t items_of_a_variant = 0;  ///< each individual is cut, browned and written in so many ways
+  std::int64_t items_of_a_variant = 0;  ///< number of items of each individual
   std::int64_t items() const { return variants * items_of_a_variant; }
 };
 
@@ -38,7 +38,7 @@ struct BatchPlan {
 /// have what the entry asks of it; (input_missing) with the place of a name that is no template.
 BatchPlan planned(BatchDescription batch, const TemplateSource& source);
 
-/// One individual of an entry: grown once, whatever is then done to it.
+/// One individual of an entry, grown once for all of its items.
 struct BatchVariant {
   std::size_t entry = 0;
   std::int64_t number = 0;  ///< within the entry, from 0
@@ -73,17 +73,17 @@ std::string source_of(const BatchPlan& plan, const BatchVariant& variant);
 /// The individual as ordered: its seed and how it grows.
 Order order_of(const BatchPlan& plan, const BatchVariant& variant);
 
-/// The item as ordered: how the individual is cut and coloured, and its files, which are called as the template is.
+/// The item as ordered: knives, colours and files, which have the template's name.
 Order order_of(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item);
 
 /// The items of a variant, in their order.
 std::vector<BatchItem> items_of(const PlannedEntry& entry, const BatchVariant& variant);
 
-/// The folder of an item within an entry of this many: "042", or "012/042" among more than a thousand. No folder has
+/// The folder of an item in an entry with `items` items: "042", or "012/042" among more than a thousand. No folder has
 /// more than a thousand.
 std::string item_folder(std::int64_t items, std::int64_t number);
 
-/// The same from the batch's folder, "halves/042": the name by which manifests know an item.
+/// The same from the batch's folder, "halves/042": the item's name in manifests.
 std::string item_path(const std::string& entry, std::int64_t items, std::int64_t number);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// batch.json: what a batch's folder says of the batch it holds. Two batches with the same record make the same bytes.
+// batch.json: the batch of a folder. Two batches with the same record make the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ std::string batch_record(const BatchPlan& plan, const std::string& program);
 struct RecordedEntry {
   std::string name;
   std::int64_t items = 0;
-  std::int64_t items_of_a_variant = 1;  ///< items that one individual comes to; shards share out individuals
+  std::int64_t items_of_a_variant = 1;  ///< items of one individual; shards divide individuals
 };
 struct RecordedBatch {
   std::string program, name, title;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double nearest = radians(2);
 
-/// A wall parts two tissues; a leaf or a stalk is a body of its own.
+/// A wall separates two tissues; a leaf or a stalk is a body of its own.
 bool is_chamber(const SurfaceSketch& surface) {
   return surface.type == SurfaceType::in_fold && surface.front.part != surface.back.part;
 }

@@ -31,14 +31,15 @@ struct Translucency {
   Color color{1.0f};
 };
 
-/// What a part is made of, as far as light is concerned that goes in: render/style/tissue_light.h has numbers for each.
+/// The kind of tissue, which determines how light is scattered inside: render/style/tissue_light.h has numbers for
+/// each.
 enum class Tissue : std::uint8_t { flesh, gel, pith, skin, leaf, seed, shell, mineral };
 
-/// Light that is scattered under the surface, as path tracers want it said.
+/// Light that is scattered under the surface, in the terms of path tracers.
 struct Subsurface {
-  double radius = 0;  ///< mean way from where light goes in to where it comes out, metres; 0 = it does not go in
+  double radius = 0;  ///< mean distance from where light enters to where it leaves, metres; 0 = it does not enter
   Color tint{1.0f};   ///< each channel's way is `radius` times its share of this
-  double weight = 1;  ///< share of what is not mirrored that goes in, 0..1
+  double weight = 1;  ///< share of the light not reflected by the surface that enters, 0..1
 };
 
 /// The material of one part. The defaults are those of a part without a description.
@@ -52,7 +53,7 @@ struct MaterialSketch {
   Fuzz fuzz;
   Translucency translucency;
 
-  // What only renderers that follow light's paths ask. Without them, tissue_light.h says it.
+  // For path tracers only. Values that are not given follow from tissue_light.h.
   std::optional<Tissue> tissue;          ///< without it, by the part's name
   std::optional<Subsurface> subsurface;  ///< without it, by `translucency`, else by the tissue
   std::optional<double> transmission;    ///< share of light that goes straight through, as through glass, 0..1

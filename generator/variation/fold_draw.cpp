@@ -23,14 +23,14 @@ std::vector<double> coefficients(const FoldDraw& draw, const std::vector<bool>& 
   for (std::size_t i = 0; i < present.size(); ++i) {
     if (present[i]) z.push_back(draw.z[i]);
   }
-  // Go as far from the mean as the rung allows. Few draws are clipped, so that folds vary as the samples do; what is
-  // too far out to be sound steps down.
+  // Go as far from the mean as the rung allows. Few draws are clipped, so that folds vary as the samples do; an unsound
+  // fold steps down.
   const double gain = std::max(1.0, draw.amount);
   const std::vector<double> weights = clipped(principal_weights(z), {.gain = gain, .extrapolation = gain});
   double reach = draw.rung >= FoldDraw::mean_rung ? 0 : 1;
   for (int rung = 0; rung < std::min(draw.rung, FoldDraw::mean_rung); ++rung) reach *= 0.75;
 
-  // Mix with the drawn fold, or where that is not there with the mean.
+  // Mix with the drawn fold, or with the mean if there is no drawn fold.
   const double share = draw.rung == FoldDraw::drawn_rung ? 0 : std::min(1.0, draw.amount);
   std::vector<double> result(present.size(), 0.0);
   std::size_t next = 0;

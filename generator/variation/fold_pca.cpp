@@ -7,8 +7,8 @@ namespace pomona {
 
 namespace {
 
-/// The distance from the mean that 95 % of draws along `components` axes stay within, in standard deviations
-/// (chi distribution by Wilson and Hilferty's approximation, within 1.5 %).
+/// The distance from the mean, in standard deviations, that 95 % of draws along `components` axes do not exceed (chi
+/// distribution by Wilson and Hilferty's approximation, within 1.5 %).
 double radial_limit(double components) {
   const double spread = 2 / (9 * components);
   const double root = 1 - spread + 1.645 * std::sqrt(spread);
@@ -31,7 +31,7 @@ std::vector<double> clipped(std::vector<double> weights, const ClipOptions& opti
   const auto n = static_cast<double>(weights.size());
   if (weights.size() < 2) return weights;
 
-  // Keep to the likely draws.
+  // Scale down unlikely draws.
   double squares = 0;
   for (double& w : weights) {
     w *= options.gain;
@@ -40,7 +40,7 @@ std::vector<double> clipped(std::vector<double> weights, const ClipOptions& opti
   const double distance = std::sqrt(squares), limit = radial_limit(n - 1);
   double scale = distance > limit ? limit / distance : 1;
 
-  // Keep near the hull of the samples.
+  // Stay near the convex hull of the samples.
   for (const double w : weights) {
     if (w < 0) scale = std::min(scale, (1 / n + options.extrapolation) / -w);
   }

@@ -17,15 +17,15 @@ namespace pomona {
 
 namespace {
 
-constexpr int rings = 9;                       // of a chamber, its two poles included
-constexpr std::size_t azimuths_per_fold = 32;  // at which layers are compared
+constexpr int rings = 9;                       // of a chamber, including its two poles
+constexpr std::size_t azimuths_per_fold = 32;  // for the comparison of layers
 
 /// A point of a swept chamber.
 struct SweptPoint {
   double azimuth = 0, radius = 0, height = 0;
 };
 
-/// Points of a chamber as sweep() will place them, poles left out.
+/// Points of a chamber where sweep() will place them, without the poles.
 std::vector<SweptPoint> swept(const ProfileArcs& arcs, const Curve& loop, const SurfaceSketch& sketch) {
   PolarCurve polar = to_polar(loop.points);
   const auto [min, max] = std::minmax_element(polar.azimuth.begin(), polar.azimuth.end());
@@ -48,7 +48,7 @@ std::vector<SweptPoint> swept(const ProfileArcs& arcs, const Curve& loop, const 
   return points;
 }
 
-/// A layer's vertical curve, to be looked at in the half-plane of any azimuth.
+/// A layer's vertical curve in the half-plane of any azimuth.
 class LayerInPlane {
  public:
   explicit LayerInPlane(const SurfaceSketch& sketch)
@@ -62,8 +62,8 @@ class LayerInPlane {
     }
   }
 
-  /// Which of two points at the same azimuth and height lie between the layer and the axis: those from which a ray
-  /// away from the axis leaves through the layer an odd number of times.
+  /// Which of two points at the same azimuth and height lie between the layer and the axis: a ray from there away from
+  /// the axis crosses the layer an odd number of times.
   std::array<bool, 2> encloses(const SweptPoint& p, const std::array<double, 2>& radii) const {
     std::array<bool, 2> inside{};
     if (p.height < lowest_ || p.height > highest_) return inside;
@@ -81,13 +81,13 @@ class LayerInPlane {
 
  private:
   std::vector<glm::dvec2> points_;
-  std::vector<double> waviness_;  ///< 1 less roundness, at every point
+  std::vector<double> waviness_;  ///< 1 - roundness, at every point
   RadiusOf radius_of_;
   double reference_;
   double lowest_ = 1e9, highest_ = -1e9;
 };
 
-/// The side all points lie on with this margin; nothing if they are on both.
+/// The side on which all points lie with this margin; nothing if they lie on both.
 std::optional<bool> common_side(const std::vector<SweptPoint>& points, const LayerInPlane& layer, double margin) {
   std::optional<bool> side;
   for (const SweptPoint& p : points) {
@@ -109,13 +109,14 @@ bool cross_each_other(const Curve& a, const Curve& b) {
   return false;
 }
 
-/// A loop that a drawing gives very many points has as many as this question needs: every edge is asked of every other.
+/// The loop, resampled if it has very many points: `nested` compares every edge with every other.
 Curve few_points(const Curve& loop) {
   constexpr int max = 1024;
   return loop.points.size() > max ? resampled(loop, max) : loop;
 }
 
-/// 1 = the first within the second, 0 = apart, nothing if they cross or lie the other way.
+/// True = the first is inside the second, false = they are apart, nothing = they cross or the second is inside the
+/// first.
 std::optional<bool> nested(const Curve& drawn_first, const Curve& drawn_second) {
   const Curve first = few_points(drawn_first), second = few_points(drawn_second);
   if (cross_each_other(first, second) || encloses(first, second.points.front())) return std::nullopt;
@@ -142,7 +143,7 @@ FoldRoom::FoldRoom(const Template& drawn) : layers_(layers_of(drawn)) {
     if (sketch.type == SurfaceType::in_fold) chambers_.push_back({s, sampled_arcs(sketch.vertical, rings)});
   }
 
-  // See on which side of each layer each chamber lies, with as much margin as the drawing leaves.
+  // Find on which side of each layer each chamber lies, and with which margin in the drawing.
   for (std::size_t c = 0; c < chambers_.size(); ++c) {
     const SurfaceSketch& sketch = drawn.surfaces[chambers_[c].surface];
     std::vector<SweptPoint> points;
@@ -162,7 +163,7 @@ FoldRoom::FoldRoom(const Template& drawn) : layers_(layers_of(drawn)) {
     }
   }
 
-  // See how the loops of a fold lie to each other.
+  // Find which loops of a fold are inside each other.
   for (const Chamber& a : chambers_) {
     for (const Chamber& b : chambers_) {
       const std::optional<bool> lies = nested_everywhere(drawn.surfaces[a.surface], drawn.surfaces[b.surface]);
@@ -180,12 +181,12 @@ bool FoldRoom::sides_kept(const Template& variant, std::size_t fold, const Chamb
 }
 
 std::vector<bool> FoldRoom::is_sound(const Template& variant) const {
-  // Each fold is judged by itself.
+  // Check each fold.
   const auto& symmetry = std::get<FoldSymmetry>(variant.symmetry);
   const std::vector<double> widths = fold_widths(symmetry);
   std::vector<bool> sound;
   for (std::size_t k = 0; k < widths.size(); ++k) {
-    // Layers must stay apart, all across the fold.
+    // Layers must stay apart over the whole fold.
     std::vector<double> azimuths;
     for (std::size_t i = 0; i <= azimuths_per_fold; ++i) {
       azimuths.push_back(symmetry.fold_angles[k] + widths[k] * static_cast<double>(i) / azimuths_per_fold);
@@ -197,7 +198,7 @@ std::vector<bool> FoldRoom::is_sound(const Template& variant) const {
     }
     bool fits = are_apart(layers_, layer_swells);
 
-    // Chambers must stay on their sides of the layers, and within or beside each other as they were drawn.
+    // Chambers must stay on their sides of the layers, and inside or outside each other as drawn.
     for (const ChamberSide& side : sides_) fits = fits && sides_kept(variant, k, side);
     for (const Neighbours& pair : neighbours_) {
       const Curve& first = variant.surfaces[pair.first].horizontal[k];

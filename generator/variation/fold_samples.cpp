@@ -26,13 +26,13 @@ PolarCurve canonical(const std::vector<glm::dvec2>& points, double from, double 
   return curve;
 }
 
-/// The part of a loop around the axis between two fold lines, where it crosses them for the last time.
+/// The part of a loop around the axis between its last crossings of two fold lines.
 PolarCurve open_sample(const Curve& loop, double from, double width) {
   Curve part;
   part.points = walk(loop, outermost_hit(loop, from), outermost_hit(loop, from + width));
   PolarCurve sample = canonical(resampled(part, steps_per_fold + 1).points, from, width, from);
 
-  // A loop that winds back over a fold line may be cut in the wrong order: then look along rays instead.
+  // The crossings of a loop that turns back over a fold line may be in the wrong order. Then sample along rays.
   if (std::abs(sample.azimuth.front()) > 1e-6 || std::abs(sample.azimuth.back() - 1) > 1e-6) {
     for (std::size_t i = 0; i < sample.size(); ++i) {
       sample.azimuth[i] = static_cast<double>(i) / steps_per_fold;
@@ -62,12 +62,12 @@ void rotate_by(std::vector<double>& values, std::size_t shift) {
   std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(shift), values.end());
 }
 
-/// Lets all loops of a surface start where they lie nearest to their common mean. Each round can only shorten
-/// the distances; a few are enough.
+/// Makes all loops of a surface start where they are nearest to their common mean. Each round can only shorten the
+/// distances; a few rounds are enough.
 void align(std::vector<PolarCurve>& samples) {
   std::vector<glm::dvec2> reference;
   for (int round = 0; round < 5; ++round) {
-    // Each loop is turned to where it lies nearest to the reference, which at first is the first of them.
+    // Rotate each loop's start to where it is nearest to the reference; the first reference is the first loop.
     bool moved = false;
     std::vector<glm::dvec2> sum(points_per_loop, glm::dvec2(0));
     double count = 0;
@@ -83,7 +83,7 @@ void align(std::vector<PolarCurve>& samples) {
       count += 1;
     }
 
-    // The mean of the turned loops is the next reference.
+    // The mean of the rotated loops is the next reference.
     if (!moved) return;
     reference = sum;
     for (glm::dvec2& p : reference) p /= count;
@@ -100,14 +100,14 @@ std::vector<FoldSamples> fold_samples(const Template& fruit) {
     const SurfaceSketch& surface = fruit.surfaces[s];
     FoldSamples samples{s, surface.type == SurfaceType::in_fold, std::vector<PolarCurve>(lines.size())};
     if (samples.closed) {
-      // A surface in folds gives each loop whole; a fold may be without one.
+      // A surface in folds gives whole loops; a fold may have none.
       for (std::size_t k = 0; k < std::min(lines.size(), surface.horizontal.size()); ++k) {
         const Curve& loop = surface.horizontal[k];
         if (loop.points.size() >= 3) samples.fold[k] = closed_sample(loop, lines[k], widths[k]);
       }
       align(samples.fold);
     } else {
-      // A curve around the axis is parted at the fold lines; one that does not vary gives no samples.
+      // A curve around the axis is divided at the fold lines; one that does not vary gives no samples.
       if (!surface.varies || surface.horizontal.empty() || !encloses(surface.horizontal.front(), {0, 0})) continue;
       const Curve loop = counter_clockwise(surface.horizontal.front());
       for (std::size_t k = 0; k < lines.size(); ++k) samples.fold[k] = open_sample(loop, lines[k], widths[k]);

@@ -9,16 +9,16 @@ namespace pomona {
 
 namespace {
 
-constexpr int turns = 720;  // tried over half a turn
+constexpr int turns = 720;  // candidates over half a turn
 
-/// What a loop covers of the turn around the axis.
+/// The range of azimuths that a loop covers.
 struct Sector {
   double middle = 0, half_width = 0;
 };
 
 using Sectors = std::vector<Sector>;
 
-/// Of the loops of one surface.
+/// The sectors of the loops of one surface.
 Sectors sectors_of(const FoldSymmetry& symmetry, const std::vector<PolarCurve>& folds) {
   const std::vector<double> widths = fold_widths(symmetry);
   Sectors sectors;
@@ -30,7 +30,7 @@ Sectors sectors_of(const FoldSymmetry& symmetry, const std::vector<PolarCurve>& 
   return sectors;
 }
 
-/// The sectors between fold lines: of a fruit whose halves show no chamber.
+/// The sectors between fold lines, for a fruit whose halves show no chamber.
 Sectors folds_of(const FoldSymmetry& symmetry) {
   const std::vector<double> widths = fold_widths(symmetry);
   Sectors sectors;
@@ -39,10 +39,10 @@ Sectors folds_of(const FoldSymmetry& symmetry) {
   return sectors;
 }
 
-/// Half of the way from a sector's edge to its middle is deep enough: seeds often leave the very middle free.
+/// Half of the distance from a sector's edge to its middle is deep enough: often there are no seeds in the very middle.
 constexpr double deep_enough = 0.5;
 
-/// How deep an azimuth lies in a sector, radians; negative outside all.
+/// The distance of an azimuth from the edge of its sector, radians; negative outside all sectors.
 double depth_at(const Sectors& sectors, double azimuth) {
   double deepest = -pi;
   for (const Sector& sector : sectors) {
@@ -53,7 +53,7 @@ double depth_at(const Sectors& sectors, double azimuth) {
   return deepest;
 }
 
-/// How deep the plane at this azimuth lies in what it is to show, on both sides, or on the better one.
+/// How deep the plane at this azimuth lies in the sectors that it must show, on both sides, or on the better one.
 double score_at(const std::vector<Sectors>& surfaces, const std::vector<int>& shown, double azimuth) {
   double score = 0;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -73,7 +73,7 @@ HalfTurn::HalfTurn(const FoldSymmetry& drawn, const std::vector<FoldSamples>& sa
     const int ahead = depth_at(surfaces.back(), 0) > 0, behind = depth_at(surfaces.back(), pi) > 0;
     shown_.push_back(ahead + behind);
   }
-  // Where there are no chambers, the plane keeps between fold lines.
+  // Without chambers, the plane stays between fold lines.
   surfaces.push_back(folds_of(drawn));
   shown_.push_back(std::count(shown_.begin(), shown_.end(), 2) > 0 ? 0 : 2);
   drawn_score_ = score_at(surfaces, shown_, 0);
@@ -87,7 +87,7 @@ double HalfTurn::operator()(const FoldSymmetry& variant, const std::vector<std::
   double best = 0, best_score = score_at(surfaces, shown_, 0);
   if (best_score >= drawn_score_ - 1e-9) return 0;
 
-  // From the smallest turn on, to either side.
+  // Try turns in ascending size, to either side.
   for (int i = 1; i <= turns / 2; ++i) {
     for (const double azimuth : {pi * i / turns, -pi * i / turns}) {
       const double score = score_at(surfaces, shown_, azimuth);

@@ -10,7 +10,7 @@ namespace pomona {
 
 namespace {
 
-/// The change that three draws make. For a colour of chroma 0.25 all three are as long.
+/// The change from three draws. For a colour of chroma 0.25 all three have the same length.
 ColorShift drawn_shift(const RandomStream& random, double deviation) {
   constexpr double typical_chroma = 0.25;
   return {.lightness = deviation * clipped_normal(random, 0),

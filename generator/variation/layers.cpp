@@ -13,7 +13,7 @@ namespace pomona {
 
 namespace {
 
-/// The share of a gap, in logarithms, that variants use; the rest covers the facets of the sweep.
+/// The share of a gap, in logarithms, that variants use; the rest is for the facets of the sweep.
 constexpr double used_share = 0.8;
 
 constexpr int compared_azimuths = 180;
@@ -41,7 +41,7 @@ double farthest(const Profile& profile) {
   return max;
 }
 
-/// Calls body(radius, share of the length) for every place of the profile at this height.
+/// Calls body(radius, share of the length) for every point of the profile at this height.
 template <typename Body>
 void for_places_at(const Profile& profile, double height, const Body& body) {
   for (std::size_t e = 0; e + 1 < profile.points.size(); ++e) {
@@ -54,7 +54,7 @@ void for_places_at(const Profile& profile, double height, const Body& body) {
   }
 }
 
-/// What is left of a swell where only a share of it shows.
+/// The swell where only a share of it applies.
 double shown(double swell, double share) { return 1 + (swell - 1) * share; }
 
 std::vector<double> swells_around(const SurfaceSketch& sketch) {
@@ -79,7 +79,7 @@ LayerGap::LayerGap(const SurfaceSketch& a, const SurfaceSketch& b) {
   const Profile pa = sampled_profile(a.vertical, a.along), pb = sampled_profile(b.vertical, b.along);
   if (cross_as_drawn(pa, pb)) return;
 
-  // Note every touch. On the axis nothing moves.
+  // Collect every touch. On the axis nothing moves.
   const double axis = 1e-6 * std::max(farthest(pa), farthest(pb));
   const auto touch = [&](double radius_a, double share_a, double radius_b, double share_b) {
     if (radius_a <= axis || radius_b <= axis) return;
@@ -99,7 +99,7 @@ LayerGap::LayerGap(const SurfaceSketch& a, const SurfaceSketch& b) {
 }
 
 void LayerGap::leave_margin(const SurfaceSketch& a, const SurfaceSketch& b) {
-  // Of touches with equal shares only the nearest counts.
+  // Keep only the nearest of touches with equal shares.
   const auto keep_nearest = [](std::vector<Touch>& touches, bool above) {
     std::stable_sort(touches.begin(), touches.end(), [&](const Touch& l, const Touch& r) {
       if (l.share_a != r.share_a) return l.share_a < r.share_a;
@@ -112,7 +112,7 @@ void LayerGap::leave_margin(const SurfaceSketch& a, const SurfaceSketch& b) {
   keep_nearest(above_, true);
   keep_nearest(below_, false);
 
-  // Keep off them, but let a variant come as near as the drawing.
+  // Keep a distance from them, but allow the drawing's own distance.
   const std::vector<double> swells_a = swells_around(a), swells_b = swells_around(b);
   const auto drawn = [&](const Touch& touch, std::size_t i) {
     return shown(swells_a[i], touch.share_a) / shown(swells_b[i], touch.share_b);
@@ -166,7 +166,7 @@ double area_to_axis(const Curve& vertical) {
 
 namespace {
 
-/// What layer i may be at one azimuth, given those already placed.
+/// The allowed swells of layer i at one azimuth, given the layers that are already placed.
 SwellRange room(const Layers& layers, const std::vector<std::vector<double>>& swells,
                 const std::vector<std::size_t>& placed, std::size_t i, std::size_t azimuth) {
   SwellRange range;
@@ -179,14 +179,14 @@ SwellRange room(const Layers& layers, const std::vector<std::vector<double>>& sw
   return range;
 }
 
-/// How far to go from `start`, which lies in the range, towards `end`: 1 = all the way.
+/// How far one can go from `start`, which lies in the range, towards `end`: 1 = all the way.
 double share_within(const SwellRange& range, double start, double end) {
   if (end > range.high) return (range.high - start) / (end - start);
   if (end < range.low) return (range.low - start) / (end - start);
   return 1;
 }
 
-/// The least value around each place, then its average around each place: nowhere more than the value itself.
+/// The minimum around each place, then its average around each place: nowhere more than the value itself.
 std::vector<double> smoothed_below(const std::vector<double>& values) {
   constexpr std::size_t reach = 6;  // of 256: about 8 degrees to either side
   const std::size_t n = values.size();
@@ -215,7 +215,7 @@ Layers layers_of(const Template& fruit) {
   std::stable_sort(layers.surface.begin(), layers.surface.end(),
                    [&](std::size_t a, std::size_t b) { return area(a) > area(b); });
 
-  // Compare every two of them.
+  // Find the gap between every two of them.
   const std::size_t n = layers.surface.size();
   layers.gap.assign(n, std::vector<LayerGap>(n));
   for (std::size_t i = 0; i < n; ++i) {
@@ -236,7 +236,7 @@ std::vector<std::vector<double>> kept_apart(const Layers& layers, std::vector<st
   std::size_t outside = swells.size();  // the next layer outside that moves; none at first
   for (std::size_t i = 0; i < swells.size(); ++i) {
     if (fixed[i]) continue;
-    // Start from the swell of the layer outside, or from a circle, and go as far as there is room.
+    // Start from the swell of the next layer outside, or from a circle, and go as far as the range allows.
     std::vector<double>& swell = swells[i];
     std::vector<double> start(swell.size()), share(swell.size());
     for (std::size_t a = 0; a < swell.size(); ++a) {

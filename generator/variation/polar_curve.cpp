@@ -70,7 +70,7 @@ bool is_star_shaped(const Curve& loop) {
   for (std::size_t i = 0; i < loop.points.size(); ++i) {
     if (!(cross(loop.points[i], loop.points[(i + 1) % loop.points.size()]) > 0)) return false;
   }
-  // Growing everywhere, the azimuth may still go around more than once.
+  // Even if the azimuth grows everywhere, the loop may go around more than once.
   int turns = 0;
   for_hits(loop, 0, [&](const RayHit&) { ++turns; });
   return turns == 1;
@@ -110,7 +110,7 @@ std::vector<glm::dvec2> walk(const Curve& loop, const RayHit& from, const RayHit
     const glm::dvec2& a = loop.points[hit.edge];
     return a + (loop.points[(hit.edge + 1) % n] - a) * hit.share;
   };
-  // On one edge the walk goes around unless it only goes forward.
+  // If both hits are on one edge, the walk goes around the loop unless it only goes forward.
   std::size_t corners = (to.edge + n - from.edge) % n;
   if (corners == 0 && to.share <= from.share) corners = n;
   std::vector<glm::dvec2> points{at(from)};

@@ -20,13 +20,13 @@ glm::dvec3 shifted(const glm::dvec3& lab, const ColorShift& shift) {
   return {lab.x + shift.lightness, c * lab.y - s * lab.z, s * lab.y + c * lab.z};
 }
 
-/// False for surfaces whose parts are not the template's.
+/// False for surfaces with parts that the template does not have.
 template <typename Value>
 bool names_one_of(std::int32_t part, const std::vector<Value>& parts) {
   return part >= 0 && static_cast<std::size_t>(part) < parts.size();
 }
 
-/// One part's way from unripe to overripe.
+/// The colours of one part from unripe to overripe.
 class PartRipening {
  public:
   PartRipening(const RipenessSketch::Part& sketch, const glm::dvec3& mean_drawn)
@@ -36,7 +36,7 @@ class PartRipening {
 
   double late() const { return late_; }
 
-  /// The drawn colour at its own ripeness.
+  /// The drawn colour at this ripeness.
   glm::dvec3 operator()(const glm::dvec3& drawn, double ripeness) const {
     const glm::dvec3 kept = keep_ * (drawn - mean_);
     Stop before{1, drawn}, after{1, drawn};  // the nearest stops to either side
@@ -71,7 +71,7 @@ std::vector<std::int32_t> parts_of_vertices(const DiffusionSurfaces& surfaces, S
   return parts;
 }
 
-/// The sRGB curve and its inverse, faster than by powers, and exactly inverse to each other.
+/// The sRGB curve and its inverse as tables: faster than powers, and exact inverses of each other.
 class SrgbTable {
  public:
   SrgbTable() {
@@ -110,7 +110,7 @@ std::optional<glm::dvec3> mean_color(const DiffusionSurfaces& surfaces, const st
   return sum / static_cast<double>(count);
 }
 
-/// For each part the leading one of its tissue; -1 for those of none.
+/// For each part the leading part of its tissue; -1 without a tissue.
 std::vector<std::int32_t> leads_of(const Template& fruit) {
   std::vector<std::int32_t> leads(fruit.parts.size(), -1);
   for (const std::vector<int>& tissue : fruit.variation.color.tissues)
@@ -159,7 +159,7 @@ class Ripener {
     return std::any_of(tissues.begin(), tissues.end(), [&](const auto& tissue) { return tissue.front() == part; });
   }
 
-  /// Whether a part is of one tissue with others.
+  /// True if a part shares a tissue with others.
   bool is_of_tissue(std::int32_t part) const {
     return names_one_of(part, leads_) && leads_[static_cast<std::size_t>(part)] >= 0;
   }
@@ -176,7 +176,7 @@ class Ripener {
 
   bool needs_place(std::size_t v) const { return ripens(front_part_[v]) || ripens(back_part_[v]); }
 
-  /// Of the vertices that ripen by their place; where lateness stops changing, depths are no longer told apart.
+  /// Depths of the vertices that ripen by their place. Depths beyond which lateness does not change are equal.
   std::vector<double> depths(Threads threads) const {
     std::vector<double> depth(surfaces_.vertex_count(), 0.0);
     const auto& stops = fruit_.ripeness.depth.stops;
@@ -232,7 +232,7 @@ class Ripener {
 
   static Color in_gamut(const glm::dvec3& lab) { return from_oklab_within_gamut(glm::vec3(lab)); }
 
-  /// What room the mean colours of a tissue leave in each channel of sRGB, below and above.
+  /// How far the mean colours of a tissue can move in each channel of sRGB, down and up.
   struct Room {
     glm::dvec3 below{1}, above{1};
   };
@@ -251,8 +251,8 @@ class Ripener {
     }
   }
 
-  /// By how much the colours of a tissue move in sRGB at some ripeness of its leading part, so that differences that
-  /// are seen stay as they are: no further than the palest and the darkest of the tissue can go along.
+  /// How far the colours of a tissue move in sRGB at a ripeness of its leading part. Visible differences stay: no
+  /// colour moves farther than the palest and the darkest of the tissue can.
   glm::dvec3 move_at(std::int32_t leading, double ripeness) const {
     const glm::dvec3& mean = tissue_colors_[static_cast<std::size_t>(leading)];
     const PartRipening* ripening = ripening_of(leading);
@@ -268,7 +268,7 @@ class Ripener {
     return by;
   }
 
-  /// Moves at evenly spaced ripenesses: vertices look up what lies between them.
+  /// Moves at evenly spaced ripenesses; vertices interpolate between them.
   void find_moves() {
     moves_.resize(leads_.size());
     for (std::size_t part = 0; part < leads_.size(); ++part) {

@@ -43,7 +43,7 @@ void scale(GrainSketch& grain, double factor) {
   }
 }
 
-/// The file's own blur is in the file's unit.
+/// The blur in the file has the file's unit.
 void scale(MeshSketch& mesh, double factor) {
   mesh.unit *= factor;
   mesh.at *= factor;

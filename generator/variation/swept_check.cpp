@@ -15,14 +15,14 @@ namespace pomona {
 
 namespace {
 
-/// Of the triangle's middle, about the axis; from +X towards -Z.
+/// The azimuth of the triangle's middle about the axis, from +X towards -Z.
 double azimuth_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
   glm::dvec3 sum(0);
   for (int i = 0; i < 3; ++i) sum += glm::dvec3(surfaces.position[surfaces.triangle[triangle][i]]);
   return reproducible::atan2(-sum.z, sum.x);
 }
 
-/// Swept along a straight axis: bends carry everything along, and azimuths mean folds only without them.
+/// The surfaces swept along a straight axis: only without a bend does an azimuth name a fold.
 DiffusionSurfaces straight(Template fruit) {
   fruit.bend = {};
   return sweep(unpainted(std::move(fruit)));
@@ -30,12 +30,12 @@ DiffusionSurfaces straight(Template fruit) {
 
 }  // namespace
 
-/// What crosses in one form of the drawing, looked for when somebody asks, by whichever thread.
+/// What crosses in the drawing, straight or bent. It is searched on demand, from any thread.
 class SweptCheck::KnownCrossings {
  public:
   explicit KnownCrossings(DiffusionSurfaces surfaces) : surfaces_(std::move(surfaces)) {}
 
-  /// Those of the kinds that do not cross here.
+  /// The kinds among `kinds` that do not cross here.
   std::set<CrossingKind> lacking(const std::set<CrossingKind>& kinds) const {
     const std::lock_guard lock(mutex_);
     std::set<CrossingKind> unknown, lacking;
@@ -53,7 +53,7 @@ class SweptCheck::KnownCrossings {
   mutable std::map<CrossingKind, bool> crosses_;  ///< for the kinds that were asked for
 };
 
-/// The drawing, straight and bent as it is.
+/// The drawing without and with its bend.
 class SweptCheck::Drawing {
  public:
   explicit Drawing(const Template& drawn) : drawn_(drawn), straight_(pomona::straight(drawn)) {}

@@ -70,7 +70,7 @@ std::vector<double> mixture_of_turns(std::size_t n, const RandomStream& stream) 
   return turns;
 }
 
-/// Every value's child at the same side of its parent.
+/// For every value the child on the same side of its parent.
 std::vector<std::size_t> natural_children(const std::vector<std::size_t>& parents) {
   std::vector<std::size_t> map(2 * parents.size());
   for (std::size_t i = 0; i < map.size(); ++i) map[i] = 2 * parents[i / 2] + i % 2;
@@ -82,7 +82,7 @@ class ParentDistances {
  public:
   explicit ParentDistances(std::size_t coarsest) : n_(coarsest), sum_(coarsest * coarsest, 0.0) {}
 
-  /// Goes one level down: adds what `features` say of the level whose map is `parents`.
+  /// Goes one level down: adds the `features` of the level whose map is `parents`.
   void descend(const FeatureTable& features, const std::vector<std::size_t>& parents) {
     std::vector<double> finer(4 * n_ * n_);
     for (std::size_t i = 0; i < n_; ++i) {
@@ -98,8 +98,8 @@ class ParentDistances {
     sum_ = std::move(finer);
   }
 
-  /// Sources of the same parity whose parent structure is within the threshold, in order. The parity rule
-  /// keeps siblings apart; without it even a threshold of 0 would scramble the curve.
+  /// Sources of the same parity whose parent structure is within the threshold, in order. The parity rule keeps
+  /// siblings apart; without it a threshold of 0 would already scramble the curve.
   std::vector<std::size_t> candidates(std::size_t output, double threshold, std::size_t features) const {
     const double max = threshold * threshold * static_cast<double>(features * levels_);
     std::vector<std::size_t> found;
@@ -124,7 +124,7 @@ SourceMap draw_source_map(const std::vector<CyclicSignal>& channels, VariantKey 
   const std::size_t coarsest = pyramids.front()[top].size();
   const auto stream = [&](std::size_t level) { return RandomStream(key, "vary/loop/level" + std::to_string(level)); };
 
-  // Turn the coarsest level.
+  // Rotate the coarsest level.
   SourceMap map;
   map.level.resize(top + 1);
   const std::size_t shift = stream(top).below(0, coarsest);

@@ -60,7 +60,7 @@ bool Variation::has_drawn_counts(const VariationOptions& options) {
 
 Template Variation::with_varied_body(const Template& variant, VariantKey key, const VariationOptions& options) const {
   if (options.curves_only || !fruit_.meshes.empty()) return gently_bent(variant, fruit_);
-  // No map of space makes smooth surfaces cross, but facets that are close may: then the body stays nearer to the
+  // A map of space cannot make smooth surfaces cross, but close facets may cross. Then the body stays nearer to the
   // drawing.
   for (double share = 1; share > 0.3; share *= 0.7) {
     Template body = gently_bent(vary_body(variant, key, share * options.amount), fruit_);
@@ -70,7 +70,7 @@ Template Variation::with_varied_body(const Template& variant, VariantKey key, co
 }
 
 Template Variation::with_drawn_body(const Template& variant) const {
-  // Curves were held to the straight axis. Where bending it alone brings facets together, it stays straighter.
+  // The curves were checked on the straight axis. If the bend makes facets cross, the axis stays straighter.
   Template body = gently_bent(variant, fruit_);
   for (int attempt = 0; attempt < 6 && swept_->crosses_anew(body); ++attempt) {
     body.bend.angle *= 0.7;

@@ -29,7 +29,7 @@ AxisBend drawn_bend(AxisBend bend, const BendVariation& variation, VariantKey ke
   bend.angle += amount * variation.angle * clipped_normal(random, 0);
   bend.swing += amount * variation.swing * clipped_normal(random, 1);
   if (variation.around) {
-    // As much again towards the side turns the direction.
+    // The same deviation sideways turns the direction of the bend.
     const double sideways = amount * variation.angle * clipped_normal(random, 2);
     const double angle = std::sqrt(bend.angle * bend.angle + sideways * sideways);
     if (angle > 0) bend.direction += reproducible::atan2(sideways, bend.angle);

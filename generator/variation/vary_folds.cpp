@@ -17,7 +17,7 @@ namespace pomona {
 
 namespace {
 
-/// The properties that all drawn samples of a surface share: a blend must have them, too.
+/// The properties that all drawn samples of a surface share, and that a blend must have.
 class FoldForm {
  public:
   explicit FoldForm(const FoldSamples& drawn);
@@ -29,7 +29,7 @@ class FoldForm {
 
  private:
   bool closed_ = false;
-  bool simple_ = true;     ///< all samples are
+  bool simple_ = true;     ///< true if all samples are simple
   double margin_ = 0;      ///< least distance from a fold line, as a share of the fold; closed loops only
   double min_radius_ = 0;  ///< metres
   double pie_ = 1;         ///< angle of the pie, radians
@@ -41,7 +41,7 @@ Curve in_pie(const PolarCurve& fold, double pie, bool closed) {
   return from_polar(placed, closed);
 }
 
-/// How far the curve stays from the fold lines; open curves without their ends, which lie on them.
+/// The distance of the curve from the fold lines; of open curves without their ends, which lie on them.
 double distance_from_lines(const PolarCurve& fold, bool closed) {
   const std::ptrdiff_t ends = closed ? 0 : 1;
   const auto [min, max] = std::minmax_element(fold.azimuth.begin() + ends, fold.azimuth.end() - ends);
@@ -51,7 +51,7 @@ double distance_from_lines(const PolarCurve& fold, bool closed) {
 double min_radius(const PolarCurve& fold) { return *std::min_element(fold.radius.begin(), fold.radius.end()); }
 
 FoldForm::FoldForm(const FoldSamples& drawn) : closed_(drawn.closed), margin_(1), min_radius_(1e9) {
-  // Any angle below a whole turn shows the same crossings.
+  // The crossings are the same for any angle below a whole turn.
   pie_ = std::min(2 * pi / static_cast<double>(drawn.fold.size()), pi);
   for (const PolarCurve& fold : drawn.fold) {
     if (fold.size() == 0) continue;
@@ -76,7 +76,7 @@ std::vector<bool> presence(const FoldSamples& samples) {
   return present;
 }
 
-/// Widths blended like the rest, none less than half or more than one and a half times the drawn ones.
+/// Blended widths, limited to 0.5 to 1.5 times the drawn ones.
 std::vector<double> blended_widths(const std::vector<double>& drawn, const std::vector<FoldDraw>& draws) {
   const auto [min, max] = std::minmax_element(drawn.begin(), drawn.end());
   std::vector<double> widths;
@@ -106,9 +106,8 @@ PolarCurve placed(PolarCurve sample, double from, double width) {
   return sample;
 }
 
-/// Blends the folds of one surface: samples for each fold to be made, empty where there is to be none.
-/// \param bearing whether the fold is to have the surface. One that has stepped down to a drawn fold without it has
-/// not.
+/// Blends the folds of one surface: a sample for each fold of the variant, empty where the fold has none.
+/// \param bearing whether the fold has the surface; a fold that has stepped down to a drawn fold without it does not.
 std::vector<PolarCurve> blended_folds(const FoldSamples& samples, const std::vector<FoldDraw>& draws,
                                       const std::vector<bool>& bearing) {
   const std::vector<bool> present = presence(samples);
@@ -137,7 +136,7 @@ std::vector<Curve> loops_of(const std::vector<PolarCurve>& folds, const FoldSymm
   return loops;
 }
 
-/// A drawing as samples.
+/// A drawing and its fold samples.
 struct FoldDrawing {
   Template fruit;
   std::vector<double> widths;
@@ -151,7 +150,7 @@ struct FoldDrawing {
         half_turn(std::get<FoldSymmetry>(drawn.symmetry), samples) {}
 };
 
-/// What does not vary keeps to the drawn folds in turn.
+/// Draws that repeat the drawn folds in turn, for what does not vary.
 std::vector<FoldDraw> as_drawn(std::vector<FoldDraw> draws) {
   for (FoldDraw& draw : draws) draw.rung = FoldDraw::drawn_rung;
   return draws;
@@ -162,10 +161,10 @@ struct FoldCandidate {
   std::vector<std::vector<PolarCurve>> folds;  ///< for each of FoldDrawing::samples, in the pie-shaped space
 };
 
-/// For each of FoldDrawing::samples, for each fold: whether it is there.
+/// [sample of FoldDrawing::samples][fold]: true if the fold has it.
 using Bearing = std::vector<std::vector<bool>>;
 
-/// As in the drawn folds in turn.
+/// The bearing of the drawn folds, repeated in turn.
 Bearing drawn_bearing(const FoldDrawing& drawing, const std::vector<FoldDraw>& draws) {
   Bearing bearing;
   for (const FoldSamples& samples : drawing.samples) {
@@ -176,7 +175,7 @@ Bearing drawn_bearing(const FoldDrawing& drawing, const std::vector<FoldDraw>& d
   return bearing;
 }
 
-/// Drawn at random where the template says that not all folds have a surface.
+/// The bearing of a variant: random where the template says that not all folds have a surface.
 Bearing varied_bearing(const FoldDrawing& drawing, const std::vector<FoldDraw>& draws, VariantKey key, double amount) {
   Bearing bearing = drawn_bearing(drawing, draws);
   for (std::size_t s = 0; s < bearing.size(); ++s) {
@@ -196,7 +195,7 @@ FoldCandidate candidate(const FoldDrawing& drawing, const std::vector<FoldDraw>&
     result.folds.push_back(blended_folds(drawing.samples[s], varies ? draws : as_drawn(draws), bearing[s]));
   }
 
-  // Meshes do not turn along.
+  // Meshes cannot be turned with the folds.
   const bool turns = drawing.fruit.meshes.empty();
   const double turn = turns ? drawing.half_turn(symmetry_of(first, widths), result.folds) : 0;
   const FoldSymmetry symmetry = symmetry_of(first + turn, widths);
@@ -209,7 +208,7 @@ FoldCandidate candidate(const FoldDrawing& drawing, const std::vector<FoldDraw>&
   return result;
 }
 
-/// Which fold an azimuth lies in.
+/// The fold in which an azimuth lies.
 std::size_t fold_at(const FoldSymmetry& symmetry, double azimuth) {
   const double from = symmetry.fold_angles.front();
   azimuth -= 2 * pi * std::floor((azimuth - from) / (2 * pi));
@@ -217,7 +216,7 @@ std::size_t fold_at(const FoldSymmetry& symmetry, double azimuth) {
   return static_cast<std::size_t>(next - symmetry.fold_angles.begin()) - 1;
 }
 
-/// What a variant's folds are held to.
+/// What a variant's folds must satisfy.
 struct Requirements {
   FoldRoom room;
   SweptCheck swept;
@@ -227,7 +226,7 @@ struct Requirements {
     for (const FoldSamples& samples : drawing.samples) forms.emplace_back(samples);
   }
 
-  /// Curves first; surfaces, which take longer, once all curves are sound.
+  /// Checks curves first; surfaces, which take longer, only if all curves are sound.
   std::vector<bool> are_met(const FoldCandidate& candidate) const {
     std::vector<bool> sound = room.is_sound(candidate.fruit);
     for (std::size_t s = 0; s < forms.size(); ++s) {
@@ -245,8 +244,8 @@ struct Requirements {
   }
 };
 
-/// Moves every unsound fold nearer to the drawing, or, where it can go no further, the folds it is joined to. False
-/// if there is nothing left to move.
+/// Moves every unsound fold one step nearer to the drawing, or, if it cannot move further, its neighbours. False if
+/// nothing can move.
 bool step_down(std::vector<FoldDraw>& draws, const std::vector<bool>& sound) {
   const std::size_t n = draws.size();
   std::vector<bool> steps(n, false);
@@ -280,7 +279,7 @@ FoldVariation::FoldVariation(const Template& fruit, SweptCheck swept)
     : prepared_(std::make_shared<Prepared>(fruit, std::move(swept))) {}
 
 FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds, bool drawn_counts) const {
-  // Draw once; then only ever step towards the drawing, so that there is an end.
+  // Draw once, then only step towards the drawing, so that the loop ends.
   const auto& [drawing, requirements] = *prepared_;
   std::vector<FoldDraw> draws = drawn_folds(drawing.widths.size(), key, amount, folds);
   const Bearing bearing = drawn_counts ? drawn_bearing(drawing, draws) : varied_bearing(drawing, draws, key, amount);

@@ -18,11 +18,11 @@ namespace pomona {
 
 namespace {
 
-/// Points per loop while it is varied; what is drawn with more detail is smoothed.
+/// Points per loop while it is varied; finer details of the drawing are smoothed.
 constexpr int loop_points = 256;
 
-/// The element of the texture: radius, and angular difference to the next point, of every loop at a time. Loops that
-/// each ray meets once share their azimuths and so their angular differences; others have their own.
+/// The sample of the synthesis: radius, and angular difference to the next point, of all loops. Star-shaped loops share
+/// their azimuths and so their angular differences; others have their own.
 struct LoopBundle {
   double start = 0;                      ///< azimuth of the first point
   std::vector<CyclicSignal> log_radius;  ///< one per loop
@@ -55,7 +55,7 @@ CyclicSignal log_of(const std::vector<double>& radii) {
   return result;
 }
 
-/// The loop from its outermost point at an azimuth, evenly by arc length.
+/// The loop from its outermost point at an azimuth, with points at equal distances.
 PolarCurve evenly_from(const Curve& loop, double azimuth) {
   const RayHit start = outermost_hit(loop, azimuth);
   Curve turned{walk(loop, start, start), true};
@@ -69,7 +69,7 @@ LoopBundle bundle_of(const std::vector<Curve>& loops) {
   bundle.start = reproducible::atan2(first.y, first.x);
   bundle.star_shaped = std::all_of(loops.begin(), loops.end(), is_star_shaped);
 
-  // The first loop, the outermost, says at which azimuths the others are looked at.
+  // The first loop, the outermost, gives the azimuths at which the others are sampled.
   if (bundle.star_shaped) {
     const PolarCurve outermost = evenly_from(loops.front(), bundle.start);
     bundle.step.push_back(steps_of(outermost));
@@ -86,8 +86,8 @@ LoopBundle bundle_of(const std::vector<Curve>& loops) {
   return bundle;
 }
 
-/// Makes the angular differences add up to one turn. Where each ray is to meet the loop once they stay
-/// positive: radii and differences above 0 that go around once make a star-shaped, hence simple, loop.
+/// Makes the angular differences add up to one turn. Those of a star-shaped loop stay positive: with positive radii and
+/// differences a loop that goes around once is star-shaped, hence simple.
 CyclicSignal closed_up(CyclicSignal step, bool star_shaped) {
   const auto n = static_cast<double>(step.size());
   if (star_shaped) {
@@ -114,8 +114,8 @@ CyclicSignal blended(const CyclicSignal& a, const CyclicSignal& b, double share)
   return result;
 }
 
-/// What the loops have in common: their mean shape, and their mean angular difference. Parent structures are compared
-/// by these alone: the more numbers had to agree, the fewer places would look alike, down to none.
+/// The mean shape and the mean angular difference of the loops. Only these are compared as parent structures: with more
+/// channels fewer places would be similar, in the end none.
 std::vector<CyclicSignal> common_channels(const LoopBundle& bundle) {
   const auto mean_of = [](const std::vector<CyclicSignal>& channels) {
     CyclicSignal sum(channels.front().size(), 0.0);
@@ -127,8 +127,8 @@ std::vector<CyclicSignal> common_channels(const LoopBundle& bundle) {
   return {mean_of(bundle.log_radius), mean_of(bundle.step)};
 }
 
-/// Between the drawing, turned, and the full synthesis, so that a variant follows its amount continuously. Beyond
-/// 1 the swings about the mean radius grow instead: a higher threshold would only break the bands' phase.
+/// A mixture of the rotated drawing and the full synthesis, so that a variant follows its amount continuously. Beyond 1
+/// the deviations from the mean radius grow instead: a higher threshold would only break the bands' phase.
 LoopBundle synthesised(const LoopBundle& drawn, VariantKey key, double amount) {
   const std::vector<CyclicSignal> common = common_channels(drawn);
   const LoopBundle turned = copied(drawn, draw_source_map(common, key, {.threshold = 0, .mix_turns = false}));
@@ -153,7 +153,7 @@ Curve loop_of(const LoopBundle& bundle, std::size_t index) {
   return from_polar(curve, true);
 }
 
-/// Which layers are synthesised: those that vary and go around the axis.
+/// For each layer, true if it is not synthesised: it does not vary or does not go around the axis.
 std::vector<bool> fixed_layers(const Template& fruit, const Layers& layers) {
   std::vector<bool> fixed;
   for (const std::size_t s : layers.surface) {
@@ -163,7 +163,7 @@ std::vector<bool> fixed_layers(const Template& fruit, const Layers& layers) {
   return fixed;
 }
 
-/// Draws layers apart that would cross. Only for loops that share their azimuths.
+/// Moves layers apart that would cross. Only for loops that share their azimuths.
 void keep_apart(LoopBundle& bundle, const Template& fruit, const Layers& layers, const std::vector<bool>& fixed) {
   // Take the swells of all layers.
   const std::vector<double> at = azimuths(bundle.start, bundle.step.front());
@@ -251,8 +251,8 @@ Template LoopVariation::draw(VariantKey key, double amount) const {
   const Prepared& p = *prepared_;
   if (!p.drawn) return p.fruit;
 
-  // Star-shaped loops are drawn apart. Others may come out crossing themselves or each other, and surfaces may
-  // cross by a facet's width though their curves do not: then stay nearer to the drawing.
+  // Star-shaped loops are moved apart. Others may cross themselves or each other, and surfaces may cross by a facet's
+  // width though their curves do not: then the variant stays nearer to the drawing.
   for (int attempt = 0; attempt < 8; ++attempt, amount *= 0.7) {
     Template variant = p.synthesis(key, amount);
     const bool simple = p.drawn->star_shaped || is_sound(variant, p.layers);

@@ -17,8 +17,7 @@ struct DeepImage {
   }
 };
 
-/// The bytes of a PNG, 16-bit grey or RGB: numbers, not colours, so it says nothing of gamma. The same for the same
-/// picture.
+/// The bytes of a PNG, 16-bit grey or RGB: numbers, not colours, so without gamma. Same picture, same bytes.
 std::string write_png(const DeepImage& image);
 
 /// \param name for messages.

@@ -148,8 +148,8 @@ std::string write_png(const TransparentImage& image) {
 
 namespace {
 
-/// Size and kind, within the limits: nothing has been set aside for pixels yet. Deflate shrinks by 1032 times at most,
-/// so that few bytes cannot hold many pixels.
+/// Checks size and kind before memory for pixels is allocated. Deflate shrinks at most 1032 times, so few bytes cannot
+/// hold many pixels.
 void read_head(PngReader& reader) {
   png_set_read_fn(reader.png, &reader.name, take);
   png_set_user_limits(reader.png, max_picture_side, max_picture_side);
@@ -162,8 +162,7 @@ void read_head(PngReader& reader) {
     png_error(reader.png, "it claims more pixels than its bytes can hold");
 }
 
-/// Whatever the file holds becomes eight-bit RGBA, or RGB without the opacity. The image has its size, but no pixels
-/// yet.
+/// Converts any PNG to eight-bit RGBA, or RGB without opacity. The image has its size, but no pixels yet.
 Image start_reading(PngReader& reader, bool with_opacity) {
   read_head(reader);
   png_set_expand(reader.png);

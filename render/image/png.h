@@ -12,13 +12,13 @@ namespace pomona {
 /// How a PNG is packed.
 enum class PngPacking {
   small,  ///< for pictures
-  fast,   ///< for textures by the thousand: a quarter of the time, 3 to 8 % more bytes (docs/reports/textures.md)
+  fast,   ///< for thousands of textures: a quarter of the time, 3 to 8 % more bytes (docs/reports/textures.md)
 };
 
 /// The kind of a picture's numbers.
 enum class PngValues {
-  srgb,    ///< colours, and the file says so
-  shares,  ///< shares of 255, as in normal maps: the file says nothing of colours
+  srgb,    ///< colours, marked as sRGB
+  shares,  ///< shares of 255, as in normal maps, without a colour space
 };
 
 /// The file's bytes: 8-bit RGB marked as sRGB, no time, the same for the same picture (filter and compression
@@ -32,7 +32,7 @@ std::string write_png(const TransparentImage& image);
 /// \throws Error (bad_data) for what is not a PNG, or is larger than max_picture_side either way.
 Image read_png(const std::string& bytes, const std::string& name);
 
-/// As read_png(), and tells where the picture is transparent.
+/// Like read_png(), with opacity.
 TransparentImage read_transparent_png(const std::string& bytes, const std::string& name);
 
 }  // namespace pomona

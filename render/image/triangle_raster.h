@@ -1,6 +1,6 @@
-// The rasteriser of the processor: which samples of a picture a triangle covers, and what share of a sample each of its
-// corners has [Pineda 1988]. With integers (fixed point) the answers are exact; with `double` they are right but for
-// rounding at the edges.
+// The rasteriser of the processor: the samples of a picture that a triangle covers, with their barycentric coordinates
+// [Pineda 1988]. With integers (fixed point) the results are exact; with `double` they are right up to rounding at the
+// edges.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +34,8 @@ struct RasterSamples {
 
 /// Whether a triangle covers samples that lie exactly on its edges.
 enum class EdgeRule {
-  closed,   ///< all of them: two triangles that share an edge both cover what lies on it
-  top_left  ///< those on the edges at its top and left (y down): of two triangles exactly one covers what they share
+  closed,   ///< all samples on edges: two triangles that share an edge both cover them
+  top_left  ///< samples on top and left edges (y down): exactly one of two triangles covers a shared edge
 };
 
 template <typename Number>
@@ -44,7 +44,7 @@ class TriangleRaster {
   using Point = glm::vec<2, Number>;
   using Shares = glm::vec<3, Number>;
 
-  /// It may turn either way. Fixed-point corners must lie below 2^30.
+  /// Either orientation is allowed. Fixed-point corners must be below 2^30.
   TriangleRaster(const Point& a, const Point& b, const Point& c)
       : corner_{a, b, c}, turn_(side(a, b, c) < 0 ? -1 : 1), area_(turn_ * side(a, b, c)) {}
 
@@ -65,8 +65,8 @@ class TriangleRaster {
     return all;
   }
 
-  /// True if the triangle covers nothing of a square, as one edge has all of it on its outer side. A quick test: the
-  /// answer may be false for squares beside a corner.
+  /// True if one edge has the whole square on its outer side, so that the triangle does not cover it. A quick test: it
+  /// may be false for squares beside a corner.
   bool misses(const Point& middle, Number half_width) const {
     for (int i = 0; i < 3; ++i) {
       const Point along = glm::abs(end(i) - start(i));
@@ -75,7 +75,7 @@ class TriangleRaster {
     return false;
   }
 
-  /// Those samples that lie in the triangle's bounding box.
+  /// The samples in the triangle's bounding box.
   PixelBox box(const RasterSamples<Number>& samples) const {
     const Point low = glm::min(glm::min(corner_[0], corner_[1]), corner_[2]),
                 high = glm::max(glm::max(corner_[0], corner_[1]), corner_[2]);

@@ -1,4 +1,4 @@
-// How pages begin: a worker unpacks while the browser makes a place to draw.
+// The start of pages: a worker unpacks while the browser prepares WebGL.
 import {Blade} from './blade.js';
 import {Board, fitCanvas} from './board.js';
 import {$, sorry} from './messages.js';
@@ -9,16 +9,16 @@ import {Stroke} from './stroke.js';
 import {Unpacking} from './unpacking.js';
 
 /**
- * `unpack(unpacking)` asks for what is to be unpacked first; `what` is told where it cannot be drawn; `program`: the
- * one that is first drawn with. Null where WebGL 2 is missing. Making a place to draw may take as long as unpacking and
- * keeps the page busy, so the worker is up before.
+ * `unpack(unpacking)` requests what is unpacked first; `what` names the page's contents in the message without WebGL 2;
+ * `program` is the first program to draw with. Returns null without WebGL 2. Making a WebGL context may take as long as
+ * unpacking and blocks the page, so the worker starts first.
  */
 export async function beginPage(unpack, what, program) {
   const started = performance.now(), loads = {}, unpacking = new Unpacking(), first = unpack(unpacking);
   const canvas = $('view');
   await unpacking.isUp;
-  // The tools have their room, and with them the canvas, before the browser makes a place to draw of that size; they
-  // are seen when something is.
+  // Lay out the tools, and so the canvas, before the browser makes a context of that size; show the tools when there is
+  // something to draw.
   $('tools').style.visibility = 'hidden';
   $('tools').hidden = false;
   fitCanvas(canvas, firstDivisor);
@@ -34,7 +34,7 @@ export async function beginPage(unpack, what, program) {
   canvas.addEventListener('webglcontextlost', () => sorry('The graphics card has dropped this page. Load it again.'));
   const board = new Board(canvas, picture), blade = new Blade(board), stroke = new Stroke(board);
   const paper = new Paper(board, options.style);
-  /** Draws; `name`: how long after the beginning that was there, as far as the card has told. */
+  /** Draws; stores as `name` the time since the start when the card had drawn it. */
   async function drawNow(name) {
     board.frame();
     await board.pace.drawn();

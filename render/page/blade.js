@@ -1,4 +1,4 @@
-// The blade that is drawn over the fruit, and what takes hold of it.
+// The blade that is drawn over the fruit, and its handles.
 import {M, V} from './linear.js';
 import {$} from './messages.js';
 
@@ -32,7 +32,7 @@ export class Blade {
     return circle;
   }
 
-  /** The piece that the last knife leaves behind it. */
+  /** The piece behind the last knife. */
   get piece() {
     const {board} = this, {arranged} = board.first, last = board.knives.length - 1;
     return arranged.find(({keep}) => keep[last] < 0) || arranged[0];
@@ -58,7 +58,7 @@ export class Blade {
     const a = this.onScreen(M.point(motion, origin));
     const b = this.onScreen(M.point(motion, V.add(origin, V.mul(n, step))));
     const way = [b[0] - a[0], b[1] - a[1]], length = Math.hypot(...way);
-    // Seen straight on, a plane moves by going up and down.
+    // A plane seen at right angles moves when the pointer goes up or down.
     const amount = length < 4 ? -0.4 * dy * step / 6 : (dx * way[0] + dy * way[1]) / length ** 2 * step;
     board.changeKnife((k) => {
       k.shift += amount;
@@ -73,7 +73,7 @@ export class Blade {
     $('blade').setAttribute('d', '');
     if (!shown) return;
     const {origin, u, v} = knife.frame, {motion, points} = this.piece;
-    // A frame a little larger than the face.
+    // A frame slightly larger than the face.
     const along = (way) => 1.1 * Math.max(...points.map((p) => Math.abs(V.dot(V.sub(p, origin), way))));
     const [a, b] = [along(u), along(v)];
     const at = (s, t) => this.onScreen(M.point(motion, V.add(origin, V.add(V.mul(u, s * a), V.mul(v, t * b)))));

@@ -1,4 +1,4 @@
-// What lies before one: bodies in their setting, the knives in them, from where one looks; and when it is drawn again.
+// The view: bodies in their setting, their knives, the camera, and when to draw again.
 import {boxOfPoints} from './body.js';
 import {Camera} from './camera.js';
 import {Knife} from './knives.js';
@@ -8,7 +8,7 @@ import {Pace, restMs} from './pace.js';
 
 export const mostKnives = 4;
 
-/** Pixels of a canvas as it lies on the page. */
+/** The pixels of a canvas on the page. */
 function sizeOf(canvas) {
   const scale = Math.min(2, window.devicePixelRatio || 1);
   return {
@@ -16,7 +16,7 @@ function sizeOf(canvas) {
     height: Math.max(1, Math.round(canvas.clientHeight * scale))
   };
 }
-/** Gives it so many times fewer along each side. */
+/** Reduces the pixels along each side by a divisor. */
 export function fitCanvas(canvas, divisor) {
   const size = sizeOf(canvas), width = Math.ceil(size.width / divisor), height = Math.ceil(size.height / divisor);
   if (canvas.width !== width || canvas.height !== height) {
@@ -26,7 +26,7 @@ export function fitCanvas(canvas, divisor) {
 }
 
 export class Board {
-  /** `setting`: bodies, size of one, setKnives(), arrange(apart, open). */
+  /** `setting`: bodies, size of a body, setKnives(), arrange(apart, open). */
   constructor(canvas, picture) {
     this.canvas = canvas;
     this.picture = picture;
@@ -49,17 +49,17 @@ export class Board {
     this.bounds = null;
     this.pace = new Pace(picture.card);
     this.calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    /** Told when knives have changed, when a frame has been drawn. */
+    /** Callbacks for changed knives and for drawn frames. */
     this.onKnives = this.onFrame = () => {};
   }
   get bodies() { return this.setting.bodies; }
   get knife() { return this.knives[this.knives.length - 1]; }
-  /** The body whose knife has handles. */
+  /** The body with the handles of the knife. */
   get first() { return this.bodies[0]; }
 
   /**
-   * While a page opens, nothing fine is drawn where software stands for a card: it would come before what the page
-   * opens with. What frames take is not measured, as compilers have their share in it.
+   * While a page opens, a software renderer draws nothing fine: it would delay the first view. Frame times are not
+   * measured, because they include compilation.
    */
   beginOpening() { this.pace.measures = false; }
   endOpening() {
@@ -67,7 +67,7 @@ export class Board {
     this.ask();
   }
 
-  // ---- Drawing, when something has changed. ----
+  // ---- Drawing after changes. ----
 
   ask() {
     if (this.asked || this.failed) return;
@@ -94,7 +94,7 @@ export class Board {
     this.ask();
   }
 
-  /** Pixels: of the picture at rest. */
+  /** The width and height of the picture at rest, in pixels. */
   get size() { return sizeOf(this.canvas); }
   get aspect() {
     const {width, height} = this.size;
@@ -109,7 +109,7 @@ export class Board {
   }
   get span() { return Math.max(...V.sub(this.bounds.high, this.bounds.low)); }
   view() { return this.camera.view(this.aspect, 2 * Math.max(this.span, this.setting.size)); }
-  /** As it is at rest, or roughly as it is while something moves. */
+  /** Draws the picture as at rest, or roughly as during motion. */
   sceneNow(rough = false) {
     fitCanvas(this.canvas, rough ? this.pace.divisor : 1);
     return this.scene(rough);
@@ -126,7 +126,7 @@ export class Board {
     };
   }
 
-  /** Moves on what moves by itself. */
+  /** Advances animations. */
   moveOn() {
     let moves = false;
     for (const [now, wanted] of [['apart', 'wantedApart'], ['open', 'wantedOpen']]) {
@@ -142,14 +142,14 @@ export class Board {
     return moves;
   }
   /**
-   * At rest is what has not moved since it was last drawn, not only what moved some time ago: under a hand that drags,
-   * a slow card's frames are farther apart than a rest is long.
+   * True if nothing has moved since the last frame. Time alone does not tell: during a drag, frames of a slow card are
+   * farther apart than the rest time.
    */
   isRough(moves, now) {
     const {picture, pace} = this, rests = !moves && !this.hasMoved && now - this.lastMoved > restMs;
     return pace.divisor > 1 && !(rests && pace.measures && picture.isReady(this.bodies));
   }
-  /** `rough`: how it is drawn, where that does not go by what moves. */
+  /** `rough` overrides whether the frame is drawn roughly. */
   frame(rough = null) {
     if (!this.setting) return;
     const {picture, camera, pace} = this, begun = performance.now(), moves = this.moveOn();
@@ -160,7 +160,7 @@ export class Board {
       const wanted =
         Math.max(512, Math.min(2048, Math.ceil(2.1 * body.frame.reach * M.scaleOf(body.place) * scale / 128) * 128));
       const done = body.faces.update(wanted, waited, rough);
-      // One body at a time grows finer.
+      // Refine one body at a time.
       if (done.more) waited = false;
       more = more || done.more;
       changed = changed || done.changed;
@@ -177,7 +177,7 @@ export class Board {
       this.bodies.every((body) => body.fruit.ready || body.knives.length === 0) && !moves && !more && !this.rough;
     if (moves || more || this.rough) this.ask();
   }
-  /** At once, all of it, as fine as it gets. */
+  /** Draws everything at once at the finest level. */
   finish() {
     this.stale = true;
     do {
@@ -188,10 +188,7 @@ export class Board {
 
   // ---- Knives. ----
 
-  /**
-   * `from`: how one then looks at them: as fits what is seen, with the camera kept where it is, or from before the
-   * last knife's face.
-   */
+  /** `from`: the camera afterwards: fitted to the contents, unchanged, or in front of the last knife's face. */
   takeKnives(knives, from = 'fit') {
     const {camera} = this, before = {target: camera.target, far: camera.far};
     this.knives = knives;
@@ -202,7 +199,7 @@ export class Board {
     this.onKnives();
     this.moved();
   }
-  /** Opens what was whole; takes one knife where there is none. */
+  /** Opens a whole fruit; without a knife it adds one. */
   setKnives(knives, {open = this.wantedOpen, from = 'fit'} = {}) {
     const first = this.knives.length === 0;
     this.wantedOpen = knives.length === 1 ? open : 0;
@@ -221,7 +218,7 @@ export class Board {
       this.knives.length === 0 ? 'whole'
                                : `${names[this.knives.length]}, ${pieces} piece${pieces === 1 ? '' : 's'}${each}`);
   }
-  /** One flat cut, laid open. */
+  /** Makes one flat cut and opens the halves. */
   cutOnce(turn, tilt) { this.setKnives([new Knife(this.first.frame, turn, tilt, 0)], {open: 1, from: 'face'}); }
   cutAgain() {
     const {knife} = this, {frame} = this.first;
@@ -261,9 +258,9 @@ export class Board {
     this.moved();
   }
 
-  // ---- From where one looks. ----
+  // ---- The camera. ----
 
-  /** From before the last knife, somewhat from above and from the side. */
+  /** Looks at the face of the last knife, slightly from above and from the side. */
   turnToFace() {
     const {knife, camera} = this;
     if (!knife) return;
@@ -288,6 +285,6 @@ export class Board {
     this.moved();
   }
 
-  /** What lies at a place of the canvas, in its pixels: {body, part, cut}, or null. */
+  /** What is at a place of the canvas, in pixels: {body, part, cut}, or null. */
   at(x, y) { return this.picture.pick(this.scene(false), x / this.canvas.clientWidth, y / this.canvas.clientHeight); }
 }

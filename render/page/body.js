@@ -1,12 +1,12 @@
-// A thing that can be cut: a fruit, or a piece of one. Its skin, the knives that go through it, and where what they
-// leave lies. Lengths are in cells of its fruit's grid.
+// A body that can be cut: a fruit, or a piece. Its skin, its knives, and the places of its pieces. Lengths are in cells
+// of its fruit's grid.
 import {Faces} from './faces.js';
 import {profilePlace, profilePlaces} from './knives.js';
 import {M, V} from './linear.js';
 import {PieceMeshes} from './piece_mesh.js';
 import {homesOf, piecesOf, placed, samplesOf} from './pieces.js';
 
-/** Low and high corner of so many points; `at(i, k)`: the coordinate k of one of them. */
+/** The low and high corner of `count` points; `at(i, k)`: coordinate k of point i. */
 function boxAround(count, at) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < count; ++i)
@@ -17,18 +17,17 @@ function boxAround(count, at) {
     }
   return {low, high};
 }
-/** Of a skin's corners, which follow one another by tens. */
+/** The bounds of a skin with ten numbers per corner. */
 export const boxOf = (skin) => boxAround(skin.length / 10, (i, k) => skin[10 * i + k]);
 export const boxOfPoints = (points) => boxAround(points.length, (i, k) => points[i][k]);
 
-const faceMargin =
-  0.02;  // beside a skin its faces are drawn, too: there lie lines, and colours for when they are seen smaller
+const faceMargin = 0.02;  // faces are also drawn this far beyond the skin: for lines, and for colours at smaller scales
 
-/** Triangles on the card, and what knives go by: shared by all that look alike. */
+/** Triangles on the card, and what knives need of them: shared by equal bodies. */
 export class Shape {
   /**
-   * `skin`: ten numbers a corner (skin.js); `index`: which corners are triangles, or none: three after three;
-   * `outwards`: of skin.js.
+   * `skin`: ten numbers per corner (skin.js); `index`: the corners of triangles, or none for three after three;
+   * `outwards`: see skin.js.
    */
   constructor(card, skin, index, outwards) {
     const {low, high} = boxOf(skin), size = V.sub(high, low), middle = V.mul(V.add(low, high), 0.5);
@@ -40,8 +39,8 @@ export class Shape {
 }
 
 /**
- * The box, along a knife's u and v, of a skin (ten numbers a corner): -1 to 1 of its face, a little larger, and at
- * places of its profile.
+ * The box of a skin (ten numbers per corner) along a knife's u and v: -1 to 1 of its face, slightly enlarged, and
+ * rounded to places of its profile.
  */
 function boxWithin({frame: {origin, u, v, reach}}, skin) {
   const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
@@ -58,7 +57,7 @@ function boxWithin({frame: {origin, u, v, reach}}, skin) {
 }
 
 export class Body {
-  /** `samples`: so many points of its skin stand for it. */
+  /** `samples`: the number of points of the skin that represent the body. */
   constructor(picture, fruit, shape, samples = 2500) {
     this.fruit = fruit;
     this.frame = shape.frame;
@@ -70,12 +69,9 @@ export class Body {
     this.arranged = [];
     this.place = M.identity();
     this.chosen = false;
-    /** Of a piece, cut faces end where it does, not where its fruit did. */
+    /** Cut faces of a piece end at the piece, not at its fruit. */
     this.isPiece = false;
-    /**
-     * What knives go around: {stone, socket: meshes; shells; parts}, or null. `homes`: of each shell the cell that has
-     * it.
-     */
+    /** Spared parts: {stone, socket: meshes; shells; parts}, or null. `homes`: for each shell its cell. */
     this.spared = null;
     this.homes = [];
     this.boxes = new WeakMap();
@@ -84,12 +80,12 @@ export class Body {
     this.takeSamples(null, samples);
   }
 
-  /** `winding` of the nodes, where these are known: the inside counts, too. */
+  /** `winding` of the nodes, if known: then inner points count, too. */
   takeSamples(winding, most = 2500) {
     this.samples = samplesOf(this.fruit.header, this.skin, winding, most, this.spared ? this.spared.parts : []);
     this.setKnives(this.knives);
   }
-  /** Stones and their like; samples of the fruit then have none within them. */
+  /** Sets the spared parts; then the fruit's samples exclude them. */
   takeSpared(spared) {
     this.spared = spared;
     this.setKnives(this.knives);
@@ -101,7 +97,7 @@ export class Body {
     this.homes = homesOf(shells, knives, this.spared?.nearlyAsMuch);
     this.pieces = piecesOf(this.samples, knives, shells, this.homes);
   }
-  /** What of knife k's face lies within the skin: low and high corner, -1 to 1 along its u and v, with a margin. */
+  /** The part of knife k's face within the skin: low and high corner, -1 to 1 along its u and v, with a margin. */
   faceBox(k) {
     const knife = this.knives[k], found = this.boxes.get(knife);
     if (found) return found;
@@ -109,13 +105,12 @@ export class Body {
     this.boxes.set(knife, box);
     return box;
   }
-  /** What of its skin a piece may have. */
+  /** The triangles of the skin that a piece may have. */
   meshOf(piece) { return this.parts.of(piece, this.knives); }
   get cutsSpared() { return this.homes.some(({isCut}) => isCut); }
   /**
-   * Walls of a piece beside its skin: of the shells that are cut, those that it has whole, and the sockets of the
-   * others. Where a scene's piece has stones that stand out of it, all of them are drawn so, and not as part of its
-   * skin.
+   * Walls of a piece besides its skin: of shells that are cut, the shells that it has whole, and the sockets of the
+   * others. If stones stick out of a scene's piece, all its stones are drawn so, and not as part of its skin.
    */
   wallsOf(piece) {
     if (!this.cutsSpared) return [];
@@ -125,7 +120,7 @@ export class Body {
       return isCut ? [{mesh: socket, range: shells[i].socket, whole: false}] : [];
     });
   }
-  /** Parts of the skin, as bits, that walls stand for. */
+  /** Parts of the skin that walls replace, as bits. */
   get leftOut() {
     const bits = [0, 0];
     if (this.isPiece && this.cutsSpared)
@@ -133,12 +128,12 @@ export class Body {
     return bits;
   }
 
-  /** Pieces where they lie: in cells, then as `place` says. */
+  /** The matrix of each piece: its arrangement in cells, then `place`. */
   arrange(apart, open) {
     this.arranged = placed(this.pieces, this.knives, this.frame, apart, open)
                       .map((piece) => ({...piece, own: piece.motion, motion: M.product(this.place, piece.motion)}));
   }
-  /** Moves all of it to another place, as it is arranged. */
+  /** Moves the whole arrangement to another place. */
   moveTo(place) {
     this.place = place;
     this.arranged = this.arranged.map((piece) => ({...piece, motion: M.product(place, piece.own)}));

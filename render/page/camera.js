@@ -1,4 +1,4 @@
-// Where one looks from, and how the fruit fits into the picture.
+// The camera, and how the fruit fits into the picture.
 import {M, V} from './linear.js';
 
 /** @import {Point} from './types.d.ts' */
@@ -21,7 +21,7 @@ export class Camera {
   get eye() { return V.add(this.target, V.mul(this.directions.back, this.far / this.zoom)); }
 
   /**
-   * As near as shows all points, with a margin, from the direction one looks from now.
+   * Moves as near as all points fit, with a margin, in the current direction.
    * @param {Point[]} points
    * @param {number} aspect width by height
    */
@@ -46,7 +46,7 @@ export class Camera {
 
   /**
    * @param {number} aspect width by height
-   * @param {number} size of what is seen
+   * @param {number} size of the contents
    */
   view(aspect, size) {
     const distance = this.far / this.zoom, near = Math.max(distance - 2.5 * size, distance / 50);
@@ -55,7 +55,7 @@ export class Camera {
   }
 
   /**
-   * The direction of the ray through a place of the picture, -1 to 1 from below.
+   * The direction of the ray through a place of the picture, -1 to 1, from bottom to top.
    * @param {number} x
    * @param {number} y
    * @param {number} aspect width by height

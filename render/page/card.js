@@ -1,7 +1,7 @@
-// What the graphics card holds: programs, textures, buffers.
+// The GPU device: programs, textures, buffers.
 
 export class Card {
-  /** `antialias`: whether what is drawn on the canvas has smooth edges; samples() has them where it has not. */
+  /** `antialias`: true if the canvas has smooth edges; else samples() has them. */
   constructor(canvas, shaders, antialias) {
     this.gl = canvas.getContext('webgl2', {antialias, premultipliedAlpha: true, powerPreference: 'high-performance'});
     this.shaders = shaders;
@@ -9,13 +9,11 @@ export class Card {
     const known = this.gl.getExtension('WEBGL_debug_renderer_info');
     const renderer = known ? this.gl.getParameter(known.UNMASKED_RENDERER_WEBGL) : '';
     this.parallel = this.gl.getExtension('KHR_parallel_shader_compile');
-    /** Software that stands for a card is known to be slow before it has drawn anything. */
+    /** A software renderer is known to be slow from the start. */
     this.isSoftware = /swiftshader|llvmpipe|software|basic render/i.test(renderer);
   }
 
-  /**
-   * A shader's text with what it includes; texel buffers of pictures' shaders are rows of float textures here.
-   */
+  /** A shader's text with its includes; texel buffers of the pictures' shaders are rows of float textures here. */
   text(name, seen = new Set()) {
     if (seen.has(name)) return '';
     seen.add(name);
@@ -25,10 +23,10 @@ export class Card {
       .replace(/texelFetch\((noise_styles|detail_styles|materials), ([^()]*)\)/g, 'texelFetch($1, ivec2($2, 0), 0)');
   }
 
-  /** A program to be; it is compiled when it is started, asked for or first drawn with. */
+  /** A program that is compiled when it is started, queried or first used. */
   program(name, defines = []) { return {name, defines, program: null, uniforms: null}; }
 
-  /** Has it compiled, beside all else where the browser can. */
+  /** Starts compilation, in parallel if the browser can. */
   start(made) {
     if (made.program) return;
     const {gl} = this, {name, defines} = made, program = made.program = gl.createProgram(), text = this.text(name);
@@ -44,7 +42,7 @@ export class Card {
     gl.linkProgram(program);
   }
 
-  /** Whether a program can be drawn with and nobody waits, as far as that can be asked. */
+  /** True if a program can be used without waiting, as far as the browser tells. */
   isReady(made) {
     if (made.uniforms !== null || !this.parallel) return true;
     this.start(made);
@@ -60,8 +58,8 @@ export class Card {
     return made.uniforms;
   }
   /**
-   * Asks for its uniforms, when it has been compiled or is first drawn with, so that programs compile side by side. The
-   * answer comes after all that the card has been told before.
+   * Queries the uniforms once it is compiled or first used, so that programs compile in parallel. The answer comes
+   * after all earlier commands to the card.
    */
   know(made) {
     const {gl} = this;
@@ -103,7 +101,7 @@ export class Card {
       data.length ? data : new Float32Array(4), 4, filter);
   }
 
-  /** Somewhere to draw: colour textures of these formats, and depth if wanted. */
+  /** A render target: colour textures of these formats, and depth if wanted. */
   target(width, height, formats, depth = null) {
     const {gl} = this, target = {width, height, buffer: gl.createFramebuffer()};
     target.colors = formats.map(
@@ -122,7 +120,7 @@ export class Card {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     return target;
   }
-  /** Somewhere to draw with smooth edges: several samples a pixel, which putOn() puts together on the canvas. */
+  /** A render target with several samples per pixel, which putOn() resolves onto the canvas. */
   samples(width, height) {
     const {gl} = this, target = {width, height, buffer: gl.createFramebuffer(), layers: []};
     const count = Math.min(4, gl.getParameter(gl.MAX_SAMPLES));
@@ -162,7 +160,7 @@ export class Card {
     this.gl.uniform1i(uniform, unit);
   }
 
-  /** Numbers for each vertex, on the card. */
+  /** A buffer of numbers per vertex. */
   buffer(data) {
     const {gl} = this, buffer = gl.createBuffer();
     gl.bindVertexArray(null);
@@ -171,8 +169,8 @@ export class Card {
     return buffer;
   }
   /**
-   * `data` in groups of floats per vertex, at locations 0, 1, ...; three more of `outwards` at the next; `index` of
-   * triangles' corners, or none.
+   * `data` has groups of floats per vertex, at locations 0, 1, ...; `outwards` has three more at the next location;
+   * `index` has the corners of triangles, or is null.
    */
   vertices(data, groups, index = null, outwards = null) {
     const stride = groups.reduce((a, b) => a + b, 0);
@@ -186,7 +184,7 @@ export class Card {
       },
       index);
   }
-  /** Of corners that are on the card, or of another mesh, which shares its corners then. */
+  /** A mesh from corners on the card, or with the shared corners of another mesh. */
   mesh({buffer, outwards, groups, stride, count}, index) {
     const {gl} = this, array = gl.createVertexArray();
     const made = {
@@ -206,7 +204,7 @@ export class Card {
       gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * stride, 4 * at);
       at += size;
     });
-    // Normals, the second group, stand for ways outwards that nobody gave.
+    // Without `outwards`, the normals (the second group) are used.
     if (outwards) gl.bindBuffer(gl.ARRAY_BUFFER, outwards);
     gl.enableVertexAttribArray(groups.length);
     gl.vertexAttribPointer(groups.length, 3, gl.FLOAT, false, outwards ? 0 : 4 * stride, outwards ? 0 : 4 * groups[0]);
@@ -217,14 +215,14 @@ export class Card {
     gl.bindVertexArray(null);
     return made;
   }
-  /** What mesh() has made of a part; the corners that it shares stay. */
+  /** Deletes the mesh of a part; its shared corners stay. */
   dropMesh({array, indices}) {
     this.gl.deleteVertexArray(array);
     this.gl.deleteBuffer(indices);
   }
-  /** Of skin.js; what has no `outwards` moves along its normals. */
+  /** A mesh of skin.js; without `outwards` it moves along its normals. */
   skin(data, index = null, outwards = null) { return this.vertices(data, [3, 3, 3, 1], index, outwards); }
-  /** All of it, or of what has no index so many corners. */
+  /** Draws the whole mesh, or a number of corners without an index. */
   draw({array, indices, count}, first = 0, some = count) {
     const {gl} = this;
     gl.bindVertexArray(array);

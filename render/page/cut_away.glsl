@@ -1,8 +1,8 @@
-// What knives take from a piece.
+// What knives remove from a piece.
 uniform vec4 knife_plane[4], knife_along[4];
-uniform int knives;  // how many there are: loops end there, also where software stands for a card
-uniform vec4 keep;   // +1 or -1 for each knife: which side of it the piece lies on; 0 for knives that do not count
-uniform highp sampler2D profiles;  // a knife's height over its plane, 256 places each, a row a knife
+uniform int knives;  // their number: loops end there, also on software renderers
+uniform vec4 keep;   // +1 or -1 for each knife: the side on which the piece lies; 0: the knife does not count
+uniform highp sampler2D profiles;  // a knife's height over its plane at 256 places, one row per knife
 
 float profile_at(int knife, float s) {
   float at = clamp(s * 0.5 + 0.5, 0.0, 1.0) * 255.0, low = floor(at);
@@ -11,7 +11,7 @@ float profile_at(int knife, float s) {
   return mix(a, b, at - low);
 }
 
-// `but`: the knife whose face the place lies on, or -1.
+// `but`: the knife whose face contains the place, or -1.
 bool is_cut_away(vec3 in_fruit, int but) {
   for (int k = 0; k < knives; ++k) {
     if (keep[k] == 0.0 || k == but) continue;

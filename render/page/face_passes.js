@@ -3,7 +3,7 @@ import {linearOf} from './color.js';
 import {profilePlaces} from './knives.js';
 import {V} from './linear.js';
 
-const rimReach = 0.004;  // metres: farther from its rim all of a part is alike (render/style/face_relief.h)
+const rimReach = 0.004;  // metres; farther from the rim a part has no relief (render/style/face_relief.h)
 
 export class FacePasses {
   constructor(card, style) {
@@ -18,7 +18,7 @@ export class FacePasses {
     this.kinds = new Map();
     this.empty = gl.createVertexArray();
     this.level = card.table(1, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, Uint8Array.of(128, 0, 0, 0), 4);
-    /** In place of slopes and rims: level, and as far from rims as counts. */
+    /** Default for slopes and rims: level, at the maximum distance from rims. */
     this.flat = card.table(1, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, Uint8Array.of(128, 128, 255, 255), 4);
     this.profiles = card.texture(gl.TEXTURE_2D, gl.NEAREST, (t) => gl.texStorage2D(t, 1, gl.R32F, profilePlaces, 4));
   }
@@ -41,7 +41,7 @@ export class FacePasses {
     card.bind(u.profiles, 4, this.profiles);
   }
 
-  /** The bare colours of a face, into the bound target. */
+  /** Draws the bare colours of a face into the bound target. */
   drawLook(fruit, frame, k) {
     const {gl, card} = this, {header} = fruit, u = card.use(this.programs.look);
     this.setFrame(u, frame, k);
@@ -58,8 +58,8 @@ export class FacePasses {
   }
 
   /**
-   * Takes from a face what lies outside of meshes, or within them. Rays leave each place of the knife along its normal;
-   * where they leave the meshes as often as they enter them, the place lies outside. `draw()` draws them.
+   * Removes the parts of a face outside of meshes, or inside them. A place lies outside if the ray from it along the
+   * knife's normal leaves the meshes as often as it enters them. `draw()` draws the meshes.
    */
   keep(inside, face, k, draw) {
     const {gl, card} = this, {size} = face, crossed = card.target(size, size, [[gl.RGBA8, gl.NEAREST]]);
@@ -79,24 +79,24 @@ export class FacePasses {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     card.drop(crossed);
   }
-  /** A piece's face ends where the piece does. */
+  /** Limits a piece's face to the piece. */
   keepWithin(body, face, k) { this.keep(true, face, k, () => this.card.draw(body.mesh)); }
-  /** Parts that knives go around leave holes. */
+  /** Cuts out spared parts. */
   leaveOut({spared, homes}, face, k) {
     this.keep(false, face, k, () => spared.shells.forEach(({stone}, i) => {
       if (homes[i].isCut) this.card.draw(spared.stone, ...stone);
     }));
   }
 
-  // ---- Stages of a face (faces.js), in order; each reads what those before it have left. ----
+  // ---- Stages of a face (faces.js), in order; each reads the results of earlier ones. ----
 
-  /** Somewhere to leave colours and heights between stages, and ways along rows. */
+  /** Targets for colours and heights between stages, and for distances along rows. */
   newPaint(size) {
     const {gl, card} = this;
     const left = () => card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
     return [left(), left(), card.target(size, size, [[gl.RGBA8, gl.NEAREST]])];
   }
-  /** What a face shows: its colours; slopes along u and v, and how far a part's rim is. */
+  /** The textures of a face: its colours; slopes along u and v, and the distance to the part's rim. */
   newStyled(size) {
     const {gl, card} = this;
     return card.target(size, size, [[gl.SRGB8_ALPHA8, 'mipmaps'], [gl.RGBA8, 'mipmaps']]);
@@ -116,7 +116,7 @@ export class FacePasses {
     return stages;
   }
 
-  /** Ways to rims, noise, these details, lines and slopes. */
+  /** The stages: distances to rims, noise, these details, lines and slopes. */
   paintStages(fruit, face, k, details) {
     const {gl, card, style} = this, {header} = fruit, {guide} = header, [one, other, ways] = face.paint;
     const hasNoise = style.noise && fruit.hasNoise, texel = 2 * face.frame.reach * header.spacing / face.size;
@@ -183,7 +183,7 @@ export class FacePasses {
     return stages;
   }
 
-  // ---- Details: a program for each kind, made when the first face has come to rest. ----
+  // ---- Details: a program for each kind, compiled when the first face is at rest. ----
 
   detail(kind) {
     if (!this.kinds.has(kind)) this.kinds.set(kind, this.card.program('section.glsl', ['DETAIL', `KIND ${kind}`]));

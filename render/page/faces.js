@@ -1,12 +1,11 @@
-// The cut faces of one body: worked out once for each place of a knife, into textures, so that turning the fruit costs
-// little; while a knife moves they are coarse, fine when it rests, and then details come.
+// The cut faces of one body. They are computed into textures once for each place of a knife, so that turning the fruit
+// costs little: coarsely while a knife moves, finely when it rests, then with details.
 
-const frameMs = 30;           // of work on faces in one frame
-const longestDetails = 15e3;  // ms: cards that would take longer for a face's details go without
+const frameMs = 30;           // for faces in one frame
+const longestDetails = 15e3;  // ms; slower cards show no details
 
 /**
- * How fast the card is, as faces have shown it: texels a millisecond, the side of a coarse face, and what a texel of
- * each stage takes.
+ * Measured speed of the card: texels per millisecond, the side of a coarse face, and the time per texel of each stage.
  */
 export class FaceSpeed {
   constructor() {
@@ -17,7 +16,7 @@ export class FaceSpeed {
     this.skipsDetails = false;
   }
   take(texels, ms) {
-    // The first time takes the compiler's time, too.
+    // The first time includes compilation.
     if (this.measured) {
       this.perMs = texels / Math.max(0.1, ms);
       this.coarse = Math.max(192, Math.min(1024, Math.round(Math.sqrt(this.perMs * 24) / 32) * 32));
@@ -28,12 +27,12 @@ export class FaceSpeed {
     const {costs} = this, before = costs.get(name), now = ms / texels;
     costs.set(name, before === undefined ? null : before === null ? now : 0.5 * (before + now));
   }
-  /** Rows of a stage that a frame has time for. */
+  /** The number of rows of a stage that fit into a frame. */
   rows(name, size) { return Math.max(8, Math.ceil(frameMs / (this.costs.get(name) || 1 / 40) / size)); }
   get isSlow() { return this.perMs > 0 && this.perMs < 1000; }
 }
 
-/** What is still to be done on a face: stages {name, once, draw}, one after another, each row by row or all at once. */
+/** The remaining work on a face: stages {name, once, draw}, one after another, each row by row or at once. */
 class FaceWork {
   constructor(passes, speed, size, stages) {
     this.passes = passes;
@@ -44,7 +43,7 @@ class FaceWork {
     this.row = 0;
   }
 
-  /** The next so many rows; true when all is done. */
+  /** Computes the next rows; true when all is done. */
   go(rows) {
     const {gl} = this.passes, {size} = this, stage = this.stages[this.at];
     const end = stage.once ? size : Math.min(size, this.row + rows);
@@ -65,7 +64,7 @@ class FaceWork {
     }
     return this.at === this.stages.length;
   }
-  /** All at once. */
+  /** Computes everything at once. */
   goThrough() {
     while (!this.go(this.size))
       ;
@@ -74,7 +73,7 @@ class FaceWork {
     this.goThrough();
     this.wait();
   }
-  /** As much as a frame has time for; true when all is done. */
+  /** Computes as much as fits into a frame; true when all is done. */
   goOn() {
     const {speed, size, stages} = this, {name, once} = stages[this.at];
     const rows = once ? size : Math.min(size - this.row, speed.rows(name, size)), begin = performance.now();
@@ -83,7 +82,7 @@ class FaceWork {
     speed.takeStage(name, rows * size, performance.now() - begin);
     return done;
   }
-  /** Until the card is done, so that times are true and no frame has more to do than it should. */
+  /** Waits for the card, so that times are correct and no frame gets too much work. */
   wait() {
     const {gl} = this.passes;
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
@@ -99,7 +98,7 @@ export class Faces {
     this.withDetails = true;
   }
 
-  /** A face to be, and the work that gives it its bare colours. `filter`: how these are seen. */
+  /** A new face, and the work for its bare colours. `filter`: of their texture. */
   begunFace(knife, size, k, filter) {
     const {passes, speed, body} = this, {gl, card} = passes;
     const bare = card.target(size, size, [[gl.SRGB8_ALPHA8, filter], [gl.RGBA8, gl.NEAREST]]);
@@ -113,9 +112,7 @@ export class Faces {
     face.work.stages.push(...passes.paintStages(body.fruit, face, k, []));
     return face;
   }
-  /**
-   * Without noise, lines and rims: what is seen of it are its bare colours. Nobody waits until the card has drawn it.
-   */
+  /** A face with only bare colours, without noise, lines and rims. It does not wait for the card. */
   bareFace(knife, size, k) {
     const {passes} = this, face = this.begunFace(knife, size, k, passes.gl.LINEAR);
     face.work.goThrough();
@@ -139,7 +136,7 @@ export class Faces {
     Object.assign(face, {paint: null, work: null});
   }
 
-  /** Details of a fine face, worked out beside what is shown; true when they are there. */
+  /** Computes details of a fine face, apart from the shown textures; true when done. */
   goOnWithDetails(face, k) {
     const {passes, speed, body} = this, {fruit} = body;
     if (!face.work) {
@@ -163,9 +160,9 @@ export class Faces {
   }
 
   /**
-   * Faces for all knives, at least coarse ones; `waited` where there is time for more. {more: there is more to do,
-   * changed: the picture is}. `rough`: the picture is, too; then the first faces of all are bare until they are finer,
-   * as nothing but the look-up need be compiled for them.
+   * Faces for all knives, at least coarse ones; `waited`: there is time for more. Returns {more: work is left, changed:
+   * the picture changed}. `rough`: the picture is rough; then the very first faces stay bare, so that only the look-up
+   * must be compiled.
    */
   update(wanted, waited, rough = false) {
     const {passes, speed, body} = this, {knives, fruit} = body;

@@ -1,9 +1,6 @@
-// What the graphics card holds of one fruit: grid, cells, triangles, guides, and how it is painted.
+// The textures of one fruit: grid, cells, triangles, guides, and paint.
 
-/**
- * A shell (spared.js) with what pieces go by: points of its own surface, and some that stand for it among all of the
- * fruit's.
- */
+/** A shell (spared.js) with points of its own surface, and some that represent it among the fruit's points. */
 function shellOf({first, count, points}, stone) {
   const rim = new Float32Array(count), samples = [], every = 3 * Math.max(1, Math.floor(points.length / 3 / 300));
   for (let i = 0; i < count / 3; ++i) rim.set(stone.subarray(10 * (first + 3 * i), 10 * (first + 3 * i) + 3), 3 * i);
@@ -14,7 +11,7 @@ function shellOf({first, count, points}, stone) {
 }
 
 export class FruitTextures {
-  /** `header`: an asset's, or what stands for it until one is there. */
+  /** `header`: of an asset, or a placeholder. */
   constructor(card, header) {
     const {spacing, origin} = header;
     this.card = card;
@@ -25,7 +22,7 @@ export class FruitTextures {
     this.showsRim = false;
     this.details = [];
     this.spared = null;
-    // Until the rest is there, nothing is known of noise and materials.
+    // Until the rest arrives, noise and materials are unknown.
     const plain = [1, 0.3, 1, 0, 1, 1, 1, 0, 0.7, 0.8, 0.8, 100, 0, 0, 0, 0, 0.4, 0, 0, 0];
     this.takeLook({
       noise: new Float32Array(0),
@@ -42,14 +39,14 @@ export class FruitTextures {
       materials: card.floats(materials, gl.NEAREST)
     };
     this.hasNoise = noise.length > 0;
-    // Gels and parts with a relief look otherwise near their rims (shaders/material.glsl: the last of a part's texels
-    // has its relief).
+    // Gels and parts with relief look different near their rims (shaders/material.glsl: relief is in the last texel of
+    // a part).
     this.showsRim = false;
     for (let i = 0; i < materials.length; i += 20)
       if (materials[i + 3] > 0.0034 || materials[i + 19] !== 0) this.showsRim = true;
   }
 
-  /** What the worker has made of the whole asset: from now on it can be cut. */
+  /** Takes the worker's data of the whole asset; from now on the fruit can be cut. */
   takeRest(rest) {
     const {card} = this, {gl} = card, {count, guide} = this.header;
     this.grid = card.volume(count, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, rest.grid, gl.LINEAR);
@@ -63,7 +60,7 @@ export class FruitTextures {
       gl.LINEAR);
     this.shares =
       card.table(32, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, guide ? rest.share : new Uint8Array(128), 4, gl.LINEAR);
-    // Details of cut faces: their texels begin with the kind, -1 for none.
+    // Details of cut faces: the first value of their texels is the kind, -1 for none.
     for (let i = 0; guide && i < 4 && 28 * i < rest.details.length; ++i) {
       const kind = rest.details[28 * i];
       if (kind >= 0) this.details.push({number: i, kind});

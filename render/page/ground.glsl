@@ -1,4 +1,4 @@
-// The table, as far as one sees it: the shadow on it, and how much of the light reaches a place.
+// The table: the shadow on it, and how much of the light reaches a place.
 #ifdef VERTEX
 #ifdef GROUND
 uniform mat4 camera;
@@ -15,13 +15,13 @@ void main() {
 #ifdef FRAGMENT
 #include "lit.glsl"
 
-// On faces that a scene's pieces came with pages do not know how far a place of a gel is from the walls that hold it: millimetres
-// that stand for all.
+// On cut faces that a scene's pieces already had, pages do not know the distance of a place in a gel from its walls:
+// millimetres used instead.
 const float gel_rim = 1.0;
 uniform highp sampler2D sun_map, sky_map;  // depths seen from the light, and from below the table
 uniform mat4 to_sun, to_sky;
-uniform vec2 shadow_ways;  // of the sun's map: how far edges soften; depth that counts as none
-uniform vec4 ground_plane; // height of the table; cells over which it darkens; how far shadows darken; occlusion
+uniform vec2 shadow_ways;  // of the sun's map: maximum softening of edges; depth bias
+uniform vec4 ground_plane; // height of the table; cells over which it darkens; strength of shadows; of occlusion
 
 float turn_at(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
 
@@ -30,8 +30,8 @@ vec2 spiral(int i, int count, float turn) {
   return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
 }
 
-// How much of the light's disc is seen: what stands in the way is looked for first, and softens edges with its distance
-// [Fernando 2005].
+// The visible share of the light's disc: a first search finds the occluders, whose distance softens edges [Fernando
+// 2005].
 float sun_seen(vec3 p, vec3 n) {
   vec3 q = (to_sun * vec4(p + 0.8 * n, 1.0)).xyz * 0.5 + 0.5;
   if (any(lessThan(q, vec3(0.0))) || any(greaterThan(q, vec3(1.0)))) return 1.0;
@@ -52,13 +52,13 @@ float sun_seen(vec3 p, vec3 n) {
   return mix(1.0, lit / 16.0, ground_plane.z);
 }
 
-// Near the table less of the sky is seen, most by what looks down.
+// Near the table less of the sky is visible, least for surfaces that face down.
 float sky_seen(vec3 p, vec3 n) {
   float near = 1.0 - clamp((p.y - ground_plane.x) / ground_plane.y, 0.0, 1.0);
   return 1.0 - ground_plane.w * (0.42 * near * (0.55 - 0.45 * n.y) + 0.12 * (0.5 - 0.5 * n.y));
 }
 
-// AS_IS: a style that changes no colours need not be compiled.
+// AS_IS: nothing to compile for a style that does not change colours.
 vec3 painted(vec3 color, vec2 how) {
 #ifdef AS_IS
   return clamp(color, 0.0, 1.0);
@@ -74,7 +74,7 @@ uniform vec4 wash;  // colour of shadow on white paper; strength
 layout(location = 0) out vec4 pixel;
 
 #ifndef QUICK
-// What hangs over the table takes its sky, the more the lower it hangs.
+// Objects above the table occlude its sky, more if they are lower.
 float open_sky() {
   vec2 at = (to_sky * vec4(there, 1.0)).xy * 0.5 + 0.5;
   float turn = turn_at(gl_FragCoord.xy), taken = 0.0;
@@ -89,7 +89,7 @@ float open_sky() {
 #endif
 
 #ifdef QUICK
-// Shadows as sharp as their map; of the sky, what hangs right above.
+// Shadows as sharp as their map; only objects right above occlude the sky.
 vec2 seen() {
   vec2 sun = (to_sun * vec4(there, 1.0)).xy * 0.5 + 0.5;
   float height = textureLod(sky_map, (to_sky * vec4(there, 1.0)).xy * 0.5 + 0.5, 0.0).r;
@@ -104,7 +104,7 @@ void main() {
   float sun_part = parts.x, sky_part = mix(1.0, parts.y, ground_plane.w);
   vec3 shade = mix(wash.rgb, vec3(1.0), sun_part) * mix(0.72 * wash.rgb, vec3(1.0), sky_part);
   shade = mix(vec3(1.0), shade, wash.a);
-  // The paper lies behind the canvas: drawn is how much of it the wash hides.
+  // The paper is behind the canvas, so draw how much of it the wash hides.
   float dark = 1.0 - dot(srgb_from_linear(shade), vec3(1.0 / 3.0));
   pixel = vec4(0.30 * srgb_from_linear(wash.rgb) * dark, dark);
 }

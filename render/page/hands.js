@@ -1,8 +1,8 @@
-// Pointers over the picture: they turn, zoom, draw, move the knife, and ask what lies under them.
+// Pointer controls: they turn, zoom, draw, move the knife, and show the name under the pointer.
 import {$} from './messages.js';
 
 export class Hands {
-  /** `nameOf(found)`: what is said of what board.at() has found; `onTap(found)`: a press that went nowhere. */
+  /** `nameOf(found)`: the name of a result of board.at(); `onTap(found)`: for a press without motion. */
   constructor(board, blade, stroke, {nameOf, onTap = (_found) => {}}) {
     this.board = board;
     this.blade = blade;
@@ -62,7 +62,7 @@ export class Hands {
     if (board.draws && stroke.isDrawn) return isDone ? stroke.cut() : stroke.stop();
     if (isDone && wasHeld && this.way < 5) this.onTap(board.at(event.offsetX, event.offsetY));
   }
-  /** What lies under the pointer, once it has come to rest. */
+  /** Shows the name under the pointer once it rests. */
   nameLater(event) {
     const {board, held} = this, [x, y] = [event.offsetX, event.offsetY];
     clearTimeout(this.naming);

@@ -1,12 +1,12 @@
-// Knives: a plane through the fruit, and what its blade does beside it, as heights over the plane along one direction:
-// nothing, waves, or a stroke that was drawn. Lengths are in cells of the grid.
+// Knives: a plane through the fruit, and the heights of the blade over it along one direction: none, waves, or a drawn
+// stroke. Lengths are in cells of the grid.
 import {V} from './linear.js';
 
 /** @import {Frame, KnifeFrame, Numbers, Point} from './types.d.ts' */
 
 export const profilePlaces = 256;
 /**
- * Which of these is nearest, or the next one before or after (`round`), to s from -1 to 1.
+ * The index of the profile's place nearest to s (-1 to 1), or of the next one below or above, by `round`.
  * @type {(s: number, round?: (s: number) => number) => number}
  */
 export const profilePlace = (s, round = Math.round) =>
@@ -14,9 +14,8 @@ export const profilePlace = (s, round = Math.round) =>
 
 export class Knife {
   /**
-   * Turn and tilt are angles of the plane's normal, radians, shift its distance from the middle.
-   * `laid`: of a plane that the page opened with {knife, step}, by which its knife's cells are numbered
-   * (render/page/page.h).
+   * Turn and tilt are angles of the plane's normal, radians; shift is its distance from the middle. `laid`: {knife,
+   * step} of a plane that the page opened with; they number the knife's cells (render/page/page.h).
    * @param {Frame} fruit
    */
   constructor(fruit, turn = 0, tilt = 0, shift = 0) {
@@ -65,7 +64,7 @@ export class Knife {
   get isCurved() { return this.waves > 0 || this.drawn !== null; }
 
   /**
-   * On which side a point lies: +1 or -1.
+   * The side of a point: +1 or -1.
    * @param {Point} p
    */
   sideOf(p, frame = this.frame, profile = this.profile) {
@@ -74,7 +73,7 @@ export class Knife {
   }
 
   /**
-   * For points, the first three of `stride` numbers each: tells how far each lies over the blade.
+   * Passes to `take` the height over the blade of each point, the first three of `stride` numbers.
    * @param {Numbers} points
    * @param {number} stride
    * @param {(i: number, cells: number) => void} take
@@ -90,7 +89,7 @@ export class Knife {
   }
 
   /**
-   * For points, three numbers each: sets bit k of those on the positive side.
+   * Sets bit k of the points (three numbers each) on the positive side.
    * @param {Numbers} points
    * @param {number} k
    * @param {Uint8Array} bits
@@ -102,8 +101,8 @@ export class Knife {
   }
 
   /**
-   * The knife that a stroke is, seen along a direction: places on a plane across it, in order. It goes on straight at
-   * both ends; where it runs back, only what goes on counts.
+   * The knife of a stroke seen along a direction: places on a plane across it, in order. Both ends are extended
+   * straight; parts that run back are ignored.
    * @param {Frame} fruit
    * @param {Point[]} points
    * @param {Point} view
@@ -134,7 +133,7 @@ export class Knife {
     return knife;
   }
 
-  /** What its faces depend on: equal keys, equal faces. */
+  /** A key of the faces: equal keys, equal faces. */
   get key() {
     const {turn, tilt, shift, waves, drawn} = this;
     return drawn

@@ -1,9 +1,9 @@
-// What a page's workers tell of a whole asset, laid out for the card: FruitTextures.takeRest() takes it.
+// The data of a whole asset, laid out for the card by a worker, for FruitTextures.takeRest().
 import * as LookUp from './look_up.js';
 import * as Spared from './spared.js';
 
 /**
- * Nodes within what knives go around are air in it.
+ * In it, nodes within spared parts are air.
  * @param {import('./types.d.ts').Fruit} fruit
  */
 export function laidOut(fruit) {

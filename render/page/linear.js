@@ -1,4 +1,4 @@
-// Vectors and matrices, as arrays; matrices in columns, as OpenGL has them.
+// Vectors and matrices as arrays; matrices by columns, as in OpenGL.
 
 /** @import {Matrix, Numbers, Point} from './types.d.ts' */
 
@@ -16,7 +16,7 @@ export const V = {
   /** @type {(a: Point) => Point} */
   unit: (a) => V.mul(a, 1 / (Math.hypot(...a) || 1)),
   /**
-   * `a` turned about a unit axis.
+   * `a` rotated about a unit axis.
    * @param {Point} a
    * @param {Point} axis
    * @param {number} angle radians
@@ -77,7 +77,7 @@ export const M = {
     ]);
   },
   /**
-   * Turns about an axis through `at`, then moves.
+   * Rotates about an axis through `at`, then moves.
    * @param {Point} axis
    * @param {number} angle radians
    * @param {Point} at
@@ -97,7 +97,7 @@ export const M = {
     return new Float32Array([scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, ...move, 1]);
   },
   /**
-   * Of a matrix that turns, moves and scales alike along all axes.
+   * The scale of a matrix that rotates, moves and scales uniformly.
    * @type {(m: Numbers) => number}
    */
   scaleOf: (m) => Math.hypot(m[0], m[1], m[2]),

@@ -1,7 +1,7 @@
-// The colour inside a fruit at any point, in GLSL ES 3.00 or any later GLSL: what
-// generator/diffusion/harmonic/field_sampler.h answers, from four textures that any engine can hold.
-// docs/reference/asset.md tells how they are made of an asset. engines/translate_look.py makes HLSL, WGSL and Godot's
-// language of this text.
+// The colour inside a fruit at any point, in GLSL ES 3.00 or any later GLSL: the answer of
+// generator/diffusion/harmonic/field_sampler.h, from four textures that any engine can hold. docs/reference/asset.md
+// tells how they are made from an asset. engines/translate_look.py translates this text into HLSL, WGSL and Godot's
+// language.
 
 // sRGB, alpha; linear filter. Colours at nodes; alpha: 1 + the part there, of 255; 0 in air.
 uniform highp sampler3D pomona_grid;
@@ -13,14 +13,14 @@ uniform highp usampler2D pomona_list;
 uniform highp usampler2D pomona_triangle;
 // Nodes along each axis.
 uniform vec3 pomona_count;
-// Of positions, to a cell.
+// Units of positions per cell.
 uniform int pomona_units;
-// The least of all colours, linear.
+// The minimum of all colours, linear.
 uniform vec3 pomona_low;
-// The most of all colours, linear.
+// The maximum of all colours, linear.
 uniform vec3 pomona_high;
 
-// Weights of a triangle's corners at its place nearest to the origin [Ericson 2005, 5.1.5].
+// Weights of a triangle's corners at its point nearest to the origin [Ericson 2005, 5.1.5].
 vec3 pomona_nearest(vec3 a, vec3 b, vec3 c) {
   vec3 ab = b - a, ac = c - a;
   float a1 = -dot(ab, a), a2 = -dot(ac, a);
@@ -52,7 +52,7 @@ uvec4 pomona_texel(uint number, uint texel) {
   return texelFetch(pomona_triangle, ivec2(int((number & 1023u) * 4u + texel), int(number >> 10u)), 0);
 }
 
-// Ten bits each of the square roots of a colour.
+// The square roots of a colour in ten bits each.
 vec3 pomona_color(uint bits) {
   vec3 root = vec3(float(bits & 1023u), float((bits >> 10u) & 1023u), float((bits >> 20u) & 1023u)) / 1023.0;
   return root * root;
@@ -64,8 +64,8 @@ vec3 pomona_side(uint side, vec3 weight) {
   return weight.x * pomona_color(corner.x) + weight.y * pomona_color(corner.y) + weight.z * pomona_color(corner.z);
 }
 
-// A linear function through values at places around the origin, by least squares with weights 1 / (d^2 + 1/1000)^2:
-// the sums that its normal equations need.
+// The sums of the normal equations for a linear function through values at places around the origin, by least squares
+// with weights 1 / (d^2 + 1/1000)^2.
 struct PomonaFit {
   vec4 one;       // of w, w p
   vec3 diagonal;  // of w x x, w y y, w z z
@@ -88,8 +88,8 @@ void pomona_add(inout PomonaFit fit, vec3 place, vec3 value) {
   fit.by_z += p.z * value;
 }
 
-// The function's value at the origin: z, y and x are eliminated in turn. A trace of stiffness keeps slopes that nothing
-// determines at 0.
+// The function's value at the origin: z, y and x are eliminated in turn. A small stiffness keeps undetermined slopes at
+// 0.
 vec3 pomona_value(PomonaFit fit) {
   float stiff = 1e-6 * fit.one.x;
   float xx = fit.diagonal.x + stiff, yy = fit.diagonal.y + stiff, zz = fit.diagonal.z + stiff;
@@ -118,11 +118,11 @@ vec3 pomona_value(PomonaFit fit) {
   return (v - s * vx) / (o - s * x);
 }
 
-// Rays to four corners of a cell that have the same z: how far they get, what they meet there, and what the boundary
-// that they cross takes from the corners' windings.
+// Rays to four corners of a cell with the same z: how far they reach, what they hit, and how the boundary that they
+// cross changes the corners' windings.
 struct PomonaRays {
-  vec4 fraction;  // 2 where nothing is met
-  vec4 on_a;      // weights of the corners there
+  vec4 fraction;  // 2 without a hit
+  vec4 on_a;      // weights of the corners at the hit
   vec4 on_b;
   uvec4 side;
   vec4 winding;
@@ -130,7 +130,7 @@ struct PomonaRays {
 
 void pomona_meet(inout PomonaRays rays, vec4 x, vec4 y, float z, mat3 edge, float volume, uint side, float step_over,
                  float reach) {
-  // A ray passes through the triangle if it sees all edges turn the same way.
+  // A ray passes through the triangle if all edges turn the same way around it.
   vec4 a = x * edge[0].x + y * edge[0].y + z * edge[0].z;
   vec4 b = x * edge[1].x + y * edge[1].y + z * edge[1].z;
   vec4 c = x * edge[2].x + y * edge[2].y + z * edge[2].z;
@@ -160,14 +160,14 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
   uvec2 entry = texelFetch(pomona_cell, cell, 0).xy;
   uint count = entry.y & 4095u;
   if (count == 0u) {
-    // No surface is near: all corners are seen.
+    // No surface is near: all corners are visible.
     if (((entry.y >> 12u) & 3u) == 1u) return false;
     color = textureLod(pomona_grid, (g + 0.5) / pomona_count, 0.0).rgb;
     part = int(texelFetch(pomona_grid, cell, 0).a * 255.0 + 0.5) - 1;
     return true;
   }
 
-  // Look towards the corners, and for the nearest place of all.
+  // Cast rays to the corners, and find the nearest point of all triangles.
   vec4 x = vec4(-within.x, 1.0 - within.x, -within.x, 1.0 - within.x);
   vec4 y = vec4(-within.y, -within.y, 1.0 - within.y, 1.0 - within.y);
   vec2 z = vec2(-within.z, 1.0 - within.z);
@@ -181,7 +181,7 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
   uint nearest_side = 0u;
   ivec3 base = cell * pomona_units;
   float unit = 1.0 / float(pomona_units);
-  float reach = 1.0 + 1.5 * unit;  // rounding may have put a corner behind a surface that was behind it
+  float reach = 1.0 + 1.5 * unit;  // rounding may have moved a corner behind a surface
   uint listed = entry.x;
   do {
     uint number = texelFetch(pomona_list, ivec2(int(listed & 2047u), int(listed >> 11u)), 0).x;
@@ -209,7 +209,7 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
   } while (++listed < entry.x + count);
   if (abs(dot(low.winding + high.winding, vec4(1.0))) < 4.0) return false;
 
-  // Fit what they see.
+  // Fit the colours found.
   vec3 zero = vec3(0.0);
   PomonaFit fit = PomonaFit(none, zero, zero, zero, zero, zero, zero);
   pomona_add(fit, nearest_place, pomona_side(nearest_side, nearest_weight));

@@ -1,13 +1,13 @@
-// Which triangles lie in which cell, the four textures that look.glsl reads, and the same look-up in JavaScript, for
-// tests and for programs that ask a few points. Lengths are in cells of the grid.
+// The triangles of each cell, the four textures of look.glsl, and the same look-up in JavaScript, for tests and for
+// programs that need few points. Lengths are in cells of the grid.
 import {linear} from './read_asset.js';
 
 /** @import {CellLists, ColorRange, Fruit, Point} from './types.d.ts' */
 
 /**
- * Triangles by cell, as generator/diffusion/harmonic/cell_triangles.cpp lists them: a cell has those whose plane comes
- * near its box, within theirs; the few that only come near steady what is fitted beside surfaces. Cell (x, y, z) has
- * list[first[i]] to list[first[i + 1]] exclusive, i = (z * ny + y) * nx + x.
+ * Triangles by cell, as in generator/diffusion/harmonic/cell_triangles.cpp: a cell has the triangles whose plane comes
+ * near its box, within the triangles' own boxes; the few that are only near stabilise the fit beside surfaces. Cell (x,
+ * y, z) has list[first[i]] to list[first[i + 1]] exclusive, i = (z * ny + y) * nx + x.
  * @param {Fruit} fruit
  * @returns {CellLists}
  */
@@ -15,7 +15,7 @@ export function cells(fruit, margin = 4e-3) {
   const {position, triangle, count, units} = fruit, [nx, ny, nz] = count, triangles = triangle.length / 3;
   const first = new Uint32Array(nx * ny * nz + 1), p = new Float64Array(9), low = [0, 0, 0], high = [0, 0, 0];
   const ends = new Uint32Array(triangles);
-  // The cells of one triangle after another's; then the other way round.
+  // First the cells of each triangle, then the triangles of each cell.
   let met = new Uint32Array(1 << 18), all = 0;
   for (let t = 0; t < triangles; ++t) {
     for (let k = 0; k < 9; ++k) p[k] = (position[3 * triangle[3 * t + (k / 3 | 0)] + k % 3] + 0.5) / units;
@@ -67,8 +67,8 @@ export function textures(fruit, {first, list}) {
     grid[at++] = blue[i];
     grid[at++] = nodePart[i];
   }
-  // Windings from -1 to 2 fit into two bits; where bodies overlap more than that, inside stays inside. Of two nodes
-  // beside each other, then of the four of a cell's side.
+  // Windings from -1 to 2 fit into two bits; if more bodies overlap, inside stays inside. First of two neighbouring
+  // nodes, then of the four nodes of a cell's side.
   const row = new Uint8Array(nodes), side = new Uint8Array(nodes);
   for (let i = 0, low = two(winding[0]); i + 1 < nodes; ++i) {
     const high = two(winding[i + 1]);
@@ -113,7 +113,7 @@ export function range({front, back}) {
   return {low: low.map((v) => linear[v]), high: high.map((v) => linear[v])};
 }
 
-// ---- One point, as look.glsl answers it. ----
+// ---- One point, as in look.glsl. ----
 
 /** @type {(a: Point, b: Point) => number} */
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -123,7 +123,7 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const less = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
 /**
- * Weights of a triangle's corners at its place nearest to the origin.
+ * Weights of a triangle's corners at its point nearest to the origin.
  * @param {Point} a
  * @param {Point} b
  * @param {Point} c
@@ -148,7 +148,7 @@ function nearestWeights(a, b, c) {
   return [1 - acrossB / sum - acrossC / sum, acrossB / sum, acrossC / sum];
 }
 
-/** A linear function through values at places around the origin, by weighted least squares: its value there. */
+/** Fits a linear function to values at places around the origin, by weighted least squares; its value at the origin. */
 class Fit {
   constructor() {
     this.matrix = new Float64Array(16);
@@ -179,8 +179,8 @@ class Fit {
 }
 
 /**
- * `fruit` as Asset.decoded() gives it, `lists` of cells(), `hull` of range(). Null in air, else the colour (linear),
- * the part, and how many triangles were looked at.
+ * `fruit` from Asset.decoded(), `lists` from cells(), `hull` from range(). Null in air, else the colour (linear), the
+ * part, and the number of triangles that were read.
  * @param {Fruit} fruit
  * @param {CellLists} lists
  * @param {ColorRange} hull
@@ -205,7 +205,7 @@ export function at(fruit, lists, hull, g) {
     return {color, part: nodePart[cell] - 1, triangles: 0};
   }
 
-  // Look towards the corners, and for the nearest place of all.
+  // Cast rays to the corners, and find the nearest point of all triangles.
   const rays = Array.from({length: 8}, (_, k) => ({
                                          towards: [(k & 1) - within[0], (k >> 1 & 1) - within[1], (k >> 2) - within[2]],
                                          fraction: 2,
@@ -238,7 +238,7 @@ export function at(fruit, lists, hull, g) {
   }
   if (Math.abs(inside) < 4) return null;
 
-  // Fit what they see.
+  // Fit the colours found.
   /** @type {(seen: {t: number, side: number, weights: number[]}) => number[]} */
   const ofSide = ({t, side, weights}) => {
     const from = side === 0 ? fruit.front : fruit.back, color = [0, 0, 0];

@@ -1,12 +1,12 @@
-// What the page says in words.
+// The texts of the page.
 
 /**
- * An element of the page by its id; the page's HTML says of which kind it is.
+ * An element of the page by its id; the page's HTML has its kind.
  * @type {(id: string) => any}
  */
 export const $ = (id) => document.getElementById(id);
 /**
- * All elements that a selector of CSS names.
+ * All elements that match a CSS selector.
  * @param {string} selector
  * @param {ParentNode} root
  */
@@ -14,7 +14,7 @@ export const $$ =
   (selector, root = document) => [.../** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(selector))];
 
 /**
- * Beside the picture, and to screen readers.
+ * Shows a text beside the picture, and tells screen readers.
  * @param {string} text
  */
 export function say(text) {
@@ -22,7 +22,7 @@ export function say(text) {
 }
 
 /**
- * Instead of the picture, which cannot be.
+ * Shows a text instead of the picture.
  * @param {string} text
  */
 export function sorry(text) {

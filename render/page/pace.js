@@ -1,14 +1,14 @@
-// How fast the card draws frames, and how fine they may therefore be while something moves.
+// The frame budget: measures frames, and chooses how fine they can be during motion.
 
-const enoughMs = 110;           // of a frame while something moves
-export const firstDivisor = 2;  // of software that stands for a card
+const enoughMs = 110;           // a frame may take during motion
+export const firstDivisor = 2;  // of software renderers
 const roughest = 4;             // times fewer pixels along each side
-export const restMs = 80;       // after which what has moved is drawn finely
-const paceMemory = 3;           // frames: the first ones take the compiler's time, too
+export const restMs = 80;       // without motion, before a fine frame
+const paceMemory = 3;           // frames; the first ones include compilation
 
 export class Pace {
   /**
-   * `measures`: not while a page opens (Board.beginOpening).
+   * `measures` is false while a page opens (Board.beginOpening).
    * @param {{gl: WebGL2RenderingContext, isSoftware: boolean}} card
    */
   constructor({gl, isSoftware}) {
@@ -18,13 +18,13 @@ export class Pace {
     this.begun = 0;
     this.divisor = isSoftware ? firstDivisor : 1;
     this.given = 1;
-    /** @type {number[]} milliseconds of the last frames that were drawn finely */
+    /** @type {number[]} milliseconds of the last fine frames */
     this.fine = [];
     this.measures = true;
   }
 
   /**
-   * A frame, begun at this time, has gone to the card, with so many times fewer pixels along each side.
+   * A frame that began at this time has been sent to the card; `divisor` reduces the pixels along each side.
    * @param {number} divisor
    * @param {number} begun
    */
@@ -34,7 +34,7 @@ export class Pace {
     Object.assign(this, {fence: gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), given: divisor, begun});
     gl.flush();
   }
-  /** While the card works on a frame nothing new is given to it: what is seen would lag behind the hand. */
+  /** True while the card still draws a frame. A further frame would make the view lag behind the pointer. */
   isBusy() {
     const {gl, fence} = this;
     if (!fence) return false;
@@ -56,7 +56,7 @@ export class Pace {
       this.divisor = Math.max(2, this.divisor - 1);
     }
   }
-  /** When the card has drawn all that it has been given until now. */
+  /** Resolves when the card has finished all commands so far. */
   async drawn() {
     const {gl} = this, fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();

@@ -1,4 +1,4 @@
-// The page of a fruit, or of several of one family: from their assets to what lies on the board.
+// The page of a fruit, or of several variants: from their assets to the view.
 import {beginPage} from './begin.js';
 import {Body, Shape} from './body.js';
 import {FruitTextures} from './fruit_textures.js';
@@ -45,12 +45,12 @@ import {Tools} from './tools.js';
     board.endOpening();
     picture.startRest();
     paper.lay();
-    // What is drawn while something moves may be rough.
+    // Frames during motion may be rough.
     while (board.rough) await new Promise((done) => requestAnimationFrame(done));
     await board.pace.drawn();
     loads.fine = performance.now() - started;
   }
-  // For tests and for the curious.
+  // For tests and for the console.
   /** @type {any} */ (window).pomona = {
     board,
     picture,
@@ -61,7 +61,7 @@ import {Tools} from './tools.js';
     pieces: () => board.first.pieces
   };
 
-  // One after the other: the first is seen while the next are unpacked.
+  // One after another: the first is shown while the others are unpacked.
   for (const asset of assets) {
     const rest = await (asset === assets[0] ? first : unpacking.asset(asset, takeSkin));
     await skinDrawn;

@@ -1,4 +1,4 @@
-// The paper behind everything: a tile of soft grain, light or dark.
+// The paper in the background: a tile of soft grain, light or dark.
 import {$} from './messages.js';
 
 export class Paper {
@@ -19,12 +19,12 @@ export class Paper {
     document.documentElement.style.setProperty('--paper', dark ? '#211e1b' : style.paper);
     board.changed();
   }
-  /** The grain: it takes some hundredths of a second, which what lies on the paper has first. */
+  /** Draws the grain. It takes some hundredths of a second, so it comes after the fruit. */
   lay() {
     const {style, board} = this, tile = document.createElement('canvas'), size = 192;
     const grain = 255 * 2.2 * style.grain * (board.dark ? 0.5 : 1);
     tile.width = tile.height = size;
-    // In the processor's memory: a card that is busy would have to give it back.
+    // Keep it in main memory, so that it need not be read back from a busy card.
     const context = tile.getContext('2d', {willReadFrequently: true}), image = context.createImageData(size, size);
     const {data} = image;
     let seed = 1;

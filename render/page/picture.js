@@ -1,4 +1,4 @@
-// The picture: tables, shadows, skins and cut faces of bodies.
+// The picture: table, shadows, skins and cut faces of bodies.
 import {Card} from './card.js';
 import {linearOf} from './color.js';
 import {FacePasses} from './face_passes.js';
@@ -6,17 +6,17 @@ import {FaceSpeed} from './faces.js';
 import {profilePlaces} from './knives.js';
 import {M, V} from './linear.js';
 
-/** On which sides of four knives a piece lies; 0 of those that are not there. */
+/** The sides of four knives on which a piece lies; 0 for missing knives. */
 const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
 
-/** What a fine cut face is drawn with, from its texture's paint to the hair's breadth between it and the skin. */
+/** The programs for a fine cut face, from its texture to the narrow gap between face and skin. */
 const fineFaces = ['within', 'face', 'ways', 'tone', 'lines'];
 
 export class Picture {
   /**
-   * `program`: the one that is first drawn with. `mayBeRough`: scenes are drawn roughly until all is compiled, where
-   * software stands for a card, and while something moves, where a card is slow. Then they go without smooth edges,
-   * which take such software long to compile and to draw.
+   * `program`: the first program to draw with. `mayBeRough`: scenes are drawn roughly until all programs are compiled,
+   * on software renderers, and during motion on slow cards. Rough frames have no smooth edges, which take software
+   * renderers long to compile and draw.
    */
   constructor(canvas, {shaders, style}, {program = 'skin', mayBeRough = false} = {}) {
     this.canvas = canvas;
@@ -37,7 +37,7 @@ export class Picture {
         .map(
           ([name, file, ...modes]) =>
             [name, card.program(file, style.saturation === 1 && style.lightness === 0 ? [...modes, 'AS_IS'] : modes)]));
-    // Until all is compiled, software that stands for a card draws plainly.
+    // Until all programs are compiled, software renderers draw plainly.
     this.isQuick = mayBeRough && card.isSoftware;
     this.samples = mayBeRough ? {width: 0, height: 0, buffer: null, layers: []} : null;
     this.start([
@@ -46,7 +46,7 @@ export class Picture {
     ]);
     this.suns = [1024, 512].map((size) => card.target(size, size, [], true));
     this.sky = card.target(256, 256, [], true);
-    /** What lies in the maps of depths (drawMap). */
+    /** The contents of the depth maps (drawMap). */
     this.mapped = new Map();
     this.picked = card.target(1, 1, [[gl.RGBA8, gl.NEAREST]], true);
   }
@@ -55,10 +55,10 @@ export class Picture {
   start(names) {
     for (const name of names) this.card.start(this.programOf(name));
   }
-  /** Has compiled what the first cut takes, then what all else does. */
+  /** Starts compiling the programs for the first cut, then the others. */
   startCuts() { this.start(['look', 'faceDepth', ...(this.isQuick ? ['quickFace'] : fineFaces)]); }
   startRest() { this.start(['ground', 'skin', ...fineFaces]); }
-  /** Whether bodies can be drawn finely and nobody waits for the compiler. */
+  /** True if bodies can be drawn finely without waiting for the compiler. */
   isReady(bodies) {
     if (!this.isQuick) return true;
     const skins = new Set(bodies.map(({isPiece}) => (isPiece ? 'pieceSkin' : 'skin')));
@@ -68,7 +68,7 @@ export class Picture {
 
   inkOf(fruit) { return linearOf(this.style.ink || fruit.header.ink); }
 
-  /** The knives of a body, and on which sides of them a piece of it lies. */
+  /** Sets the knives of a body, and the sides of them on which its piece lies. */
   setPiece(u, body, piece) {
     const {gl} = this, plane = new Float32Array(16), along = new Float32Array(16);
     body.knives.forEach((knife, k) => {
@@ -83,7 +83,7 @@ export class Picture {
     gl.uniformMatrix4fv(u.piece, false, piece.motion);
   }
 
-  /** `set(u, body, index)` is asked for each body. */
+  /** `set(u, body, index)` is called for each body. */
   drawSkins(program, view, bodies, set) {
     if (bodies.length === 0) return;
     const {gl, card, passes} = this, u = card.use(this.programs[program]);
@@ -139,7 +139,7 @@ export class Picture {
     this.drawSkins('skinDepth', view, bodies);
     this.drawFaces('faceDepth', view, bodies);
   }
-  /** A map of depths, where it is not there already: the sky's lasts while a fruit is turned. */
+  /** Draws a depth map unless it is current: the sky's map stays while the fruit is turned. */
   drawMap(target, view, bodies) {
     const now = [...view, ...bodies.flatMap((body) => [body.arranged, ...body.faces.all.map(({now}) => now)])];
     const before = this.mapped.get(target);
@@ -148,7 +148,7 @@ export class Picture {
     this.mapped.set(target, now);
   }
 
-  /** Where light comes from, and how far shadows reach. `size`: of a fruit, in the scene's lengths. */
+  /** Sets the light's direction and the reach of shadows. `size`: of a fruit, in the scene's lengths. */
   lightOf({camera, bounds, size, rough = false}) {
     const {azimuth: turn, elevation: e} = this.style.light, azimuth = camera.yaw + turn;
     const toLight = [Math.cos(e) * Math.sin(azimuth), Math.sin(e), Math.cos(e) * Math.cos(azimuth)];
@@ -156,7 +156,7 @@ export class Picture {
     const radius = 0.62 * Math.hypot(...V.sub(bounds.high, bounds.low)) + 0.1 * size;
     const across = V.unit(V.cross([0, 1, 0], toLight)), table = bounds.low[1];
     const toSun = M.orthographic(across, V.cross(toLight, across), toLight, middle, radius, radius);
-    // From below the table, upwards: depth 0 on it.
+    // From the table upwards; depth 0 is on the table.
     const skyDepth = 1.2 * size, skyReach = 1.6 * radius;
     const toSky = M.orthographic(
       [1, 0, 0], [0, 0, 1], [0, -1, 0], [middle[0], table + 0.5 * skyDepth, middle[2]], skyReach, 0.5 * skyDepth);
@@ -176,7 +176,7 @@ export class Picture {
     gl.uniform3fv(u.eye, eye);
     gl.uniform2f(u.paint, style.saturation, style.lightness);
   }
-  /** What is the fruit's own. */
+  /** Sets the uniforms of a fruit. */
   setFruit(u, {fruit}) {
     const {gl, card} = this;
     card.bind(u.materials, 7, fruit.look.materials);
@@ -187,8 +187,7 @@ export class Picture {
   }
 
   /**
-   * `scene`: bodies, bounds of all, size of a fruit, camera {view, eye, yaw}, dark; rough: while something moves,
-   * where cards are slow.
+   * `scene`: bodies, their bounds, size of a fruit, camera {view, eye, yaw}, dark, rough (during motion on slow cards).
    */
   draw(scene) {
     const {gl, canvas, card} = this, {bodies, camera} = scene, light = this.lightOf(scene);
@@ -225,7 +224,7 @@ export class Picture {
     });
     if (smooth) card.putOn(this.samples);
   }
-  /** As large as the canvas. */
+  /** Resizes the targets to the canvas. */
   samplesOf({width, height}) {
     const {card, samples} = this;
     if (samples.width === width && samples.height === height) return samples;
@@ -233,7 +232,7 @@ export class Picture {
     this.samples = card.samples(width, height);
     return this.samples;
   }
-  /** The table, thin as a wash. */
+  /** Draws the table as a thin wash. */
   drawGround({camera, dark}, light) {
     const {gl, card, style} = this, u = card.use(this.programs[this.isQuick ? 'quickGround' : 'ground']);
     const shadow = linearOf(style.shadow.color).map((c) => c * (dark ? 0.35 : 1));
@@ -259,7 +258,7 @@ export class Picture {
     if (drawn.length === 0) return;
     gl.enable(gl.CULL_FACE);
     gl.cullFace(gl.FRONT);
-    // What has been picked has a line that one cannot overlook.
+    // The selected body has a strong outline.
     this.drawSkins('hull', camera.view, drawn, (u, body) => {
       gl.uniform4f(u.ink, ...(body.chosen ? linearOf('#c8442c') : this.inkOf(body.fruit)), 1);
       gl.uniform3f(
@@ -268,7 +267,7 @@ export class Picture {
     gl.disable(gl.CULL_FACE);
   }
 
-  /** What lies at a place of the canvas, 0..1 from above: {body, part, cut}, or null. */
+  /** What is at a place of the canvas, 0..1 from the top: {body, part, cut}, or null. */
   pick({bodies, camera}, x, y) {
     const {gl} = this, {width, height} = this.canvas;
     const narrowed =
@@ -279,7 +278,7 @@ export class Picture {
     gl.disable(gl.BLEND);
     gl.enable(gl.DEPTH_TEST);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    // Which of the bodies it is takes two bytes.
+    // The number of the body takes two bytes.
     const number = (u, _, index) => gl.uniform2f(u.body, (index & 255) / 255, (index >> 8) / 255);
     this.drawSkins('skinPick', view, bodies, number);
     this.drawFaces('facePick', view, bodies, number);
@@ -289,7 +288,7 @@ export class Picture {
     return {body, part: body.fruit.header.parts[found[0] - 1], cut: found[1] > 200};
   }
 
-  /** For tests: the bare colours of a square in a plane, as bytes; `frame` in cells. */
+  /** For tests: the bare colours of a square in a plane, as bytes; `frame` is in cells. */
   bare(fruit, frame, size) {
     const {gl} = this, target = this.card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
     const pixels = new Uint8Array(4 * size * size);

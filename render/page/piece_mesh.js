@@ -1,18 +1,18 @@
-// Which triangles of a body's skin each of its pieces may have, so that a piece is drawn without what others have:
-// cards that are software work out what is drawn first and ask then whether a knife has taken it.
+// The triangles of a body's skin that each piece may have, so that a piece is drawn without the others' triangles:
+// software renderers shade a pixel before they test whether a knife removes it.
 
 /** @import {Knife} from './knives.js' */
 /** @import {Piece} from './types.d.ts' */
 
-/** Cells: a curved blade rises between the corners of a triangle; a flat one but by rounding. */
+/** Tolerance in cells: a curved blade rises between the corners of a triangle, a flat one only by rounding. */
 const sideMargins = {
   curved: 2,
   flat: 0.01
 };
 
 /**
- * For each corner of a skin (ten numbers a corner) bits: k where it may lie on the positive side of knife k, 8 + k on
- * the negative one.
+ * Bits for each corner of a skin (ten numbers per corner): k if it may lie on the positive side of knife k, 8 + k for
+ * the negative side.
  * @param {Float32Array} skin
  * @param {Knife[]} knives
  */
@@ -28,7 +28,7 @@ export function sidesOf(skin, knives) {
 }
 
 /**
- * Corners of the triangles that no knife has wholly on the other side. `index`: which corners are triangles, or null:
+ * The corners of triangles that no knife has entirely on the other side. `index`: the corners of triangles, or null for
  * three after three.
  * @param {{keep: number[]}} piece
  * @param {Uint16Array} sides
@@ -49,10 +49,10 @@ export function trianglesOf({keep}, sides, index) {
   return kept.subarray(0, count);
 }
 
-/** On the card: a mesh for each piece, made when it is first drawn. */
+/** A mesh on the card for each piece, made when it is first drawn. */
 export class PieceMeshes {
   /**
-   * @param {any} card what the graphics card holds
+   * @param {any} card the GPU device
    * @param {{mesh: any, skin: Float32Array, index: Uint32Array | null}} shape
    */
   constructor(card, {mesh, skin, index}) {
@@ -65,7 +65,7 @@ export class PieceMeshes {
     this.made = new Map();
   }
 
-  /** What was made for other knives is dropped. */
+  /** Deletes the meshes of other knives. */
   forget() {
     for (const mesh of this.made.values()) this.card.dropMesh(mesh);
     this.made.clear();

@@ -1,7 +1,7 @@
-// Of what knives go around, which a piece of a scene has: stones that are whole in it, and where it holds them.
+// The spared parts of a scene's piece: whole stones, and their sockets.
 import {boxOf} from './body.js';
 
-/** Asks of points whether a closed mesh holds them: how often a ray along z leaves it. */
+/** Tests whether points lie in a closed mesh, by counting how often a ray along z leaves it. */
 class Inside {
   constructor(skin, index) {
     const {low, high} = boxOf(skin), across = 64, size = [0, 1].map((axis) => (high[axis] - low[axis]) / across || 1);
@@ -30,7 +30,7 @@ class Inside {
   }
 }
 
-/** The part of a triangle's corners (ten numbers each) that `keeps` says yes to; a border is found by halving. */
+/** The part of a triangle (ten numbers per corner) for which `keeps` is true; bisection finds the border. */
 function keptOf(corners, keeps) {
   const kept = corners.map(keeps), count = kept.filter(Boolean).length;
   if (count === 0 || count === 3) return count ? [corners] : [];
@@ -51,7 +51,7 @@ function keptOf(corners, keeps) {
 }
 
 /**
- * As FruitTextures' `spared`, of those that lie in this piece; sockets only where they do not stand out of it already.
+ * Like FruitTextures' `spared`, for the parts in this piece; sockets only if the stones do not already stick out of it.
  */
 export function sparedOfPiece(body, card) {
   const {spared} = body.fruit, near = 0.04;

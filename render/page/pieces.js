@@ -1,12 +1,11 @@
-// What the knives leave: which pieces there are, and where they lie when they are pulled apart or laid open.
+// The pieces that the knives leave, and their places when they are pulled apart or opened.
 import {M, V} from './linear.js';
 
 /** @import {Knife} from './knives.js' */
 /** @import {Frame, Home, Piece, Point, Shell} from './types.d.ts' */
 
 /**
- * Points of the fruit that stand for all of it: some of its skin, where it is not of the parts `without`, some of its
- * nodes inside.
+ * Points that represent the fruit: some of its skin, except for the parts `without`, and some of its inner nodes.
  * @param {{count: number[]}} header
  * @param {Float32Array} skin
  * @param {Int8Array | null} winding
@@ -29,9 +28,9 @@ export function samplesOf(header, skin, winding, most = 2500, without = []) {
 }
 
 /**
- * Where cells stand in the order of cutting, as generator/knife numbers them: the first knife's slowest. `bits`: of
- * which knives a cell is on the positive side. Planes of one knife count by their steps; wedges, whose steps are 0, by
- * their angle.
+ * The place of a cell in the order of cutting, as generator/knife numbers cells: the first knife varies slowest.
+ * `bits`: the knives on whose positive side the cell lies. Planes of one knife are ordered by their steps; wedges,
+ * whose steps are 0, by their angle.
  * @param {number} bits
  * @param {Knife[]} knives
  */
@@ -53,12 +52,11 @@ function cellNumber(bits, knives) {
 }
 
 /**
- * For each shell around a spared part the cell that has all of it, and whether a knife passes through it. It is the one
- * that holds most of it; of those that hold `nearlyAsMuch`, the first in the order of cutting
- * (generator/cut/spared.cpp).
+ * For each shell around a spared part its cell, and whether a knife passes through it. The cell is the one that has
+ * most of it; of those that have `nearlyAsMuch`, the first in the order of cutting (generator/cut/spared.cpp).
  * @param {Shell[]} shells
  * @param {Knife[]} knives
- * @param {number} nearlyAsMuch of the largest share
+ * @param {number} nearlyAsMuch as a share of the largest
  * @returns {Home[]}
  */
 export function homesOf(shells, knives, nearlyAsMuch) {
@@ -79,8 +77,8 @@ export function homesOf(shells, knives, nearlyAsMuch) {
 }
 
 /**
- * Pieces by their sides of all knives. Fewer points than
- * a hundredth are a crumb. Of a shell that is cut all goes to one cell (`homes`).
+ * Pieces by their sides of all knives. A piece with less than a hundredth of the points is a crumb. All of a shell that
+ * is cut goes to one cell (`homes`).
  * @param {Point[]} samples
  * @param {Knife[]} knives
  * @param {Shell[]} shells
@@ -108,9 +106,8 @@ export function piecesOf(samples, knives, shells = [], homes = []) {
 }
 
 /**
- * Where each piece lies: a rigid motion each. Pulled apart, pieces move away from the middle of all; laid open, the
- * half before a single knife swings round like the cover of a book, so that both faces are seen, and each half stands
- * on the table by itself.
+ * The rigid motion of each piece. Pulled apart, pieces move away from the common middle; opened, the half in front of a
+ * single knife swings like the cover of a book, so that both faces are visible, and each half stands on the table.
  * @param {Piece[]} pieces
  * @param {Knife[]} knives
  * @param {Frame} fruit
@@ -131,7 +128,7 @@ export function placed(pieces, knives, fruit, apart, open) {
     const {origin, u, v, n} = knives[0].frame;
     const edge = Math.max(...pieces.map(({points}) => most(points, (p) => V.dot(V.sub(p, origin), u))));
     const hinge = V.add(origin, V.mul(u, edge + 0.06 * fruit.reach)), front = piece.keep[0] > 0;
-    // Both covers lean in a little.
+    // Both halves lean inwards slightly.
     const angle = front ? book * (Math.PI - 0.32) : 0, back = V.mul(u, -book * (edge + 0.06 * fruit.reach));
     let motion = M.product(M.rigid(v, book * 0.16, hinge, V.add(back, away)), M.rigid(v, angle, hinge, [0, 0, 0]));
     const lowest = least(piece.points, (p) => M.point(motion, p)[1]);

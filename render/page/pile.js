@@ -4,7 +4,7 @@ import {boxOfPoints} from './body.js';
 import {M, V} from './linear.js';
 
 export class Pile {
-  /** `bodies`, each with `instance`: {rotation, translation} in metres; `unit`: metres that count as 1. */
+  /** `bodies`, each with `instance`: {rotation, translation} in metres; `unit`: the length of 1, in metres. */
   constructor(bodies, unit) {
     this.bodies = bodies;
     this.unit = unit;
@@ -29,7 +29,7 @@ export class Pile {
   }
 
   setKnives() {}
-  /** Pieces part from the middle of all, and rise out of their dish; dishes stay. */
+  /** Pieces move away from the common middle and rise out of their dish; dishes stay. */
   arrange(apart) {
     this.bodies.forEach((body, i) => {
       const {place, away} = this.lying[i], moved = place.slice();

@@ -1,20 +1,20 @@
-// From an asset's bytes to arrays: the JavaScript half of asset_file.h, and byte for byte docs/reference/asset.md. It
-// stands alone, so that programs of others can take it.
+// From an asset's bytes to arrays: the JavaScript counterpart of asset_file.h, as in docs/reference/asset.md. It has no
+// dependencies, so that other programs can use it.
 
 /** @import {AssetHeader, Fruit} from './types.d.ts' */
 
 const magic = [0x70, 0x6f, 0x6d, 0x6f, 0x6e, 0x61, 0];
 export const depthSteps = 32;
 
-/** Colours are bytes of sRGB: the light that each stands for. */
+/** The linear light of each byte of sRGB. */
 export const linear = Float64Array.from({length: 256}, (_, i) => {
   const c = i / 255;
   return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 });
 
 /**
- * The bytes after the magic number and the kind of file, 1 for an asset, through the platform's own unpacker;
- * `onChunk` may look early at what is there.
+ * Decompresses the bytes after the magic number and the kind of file (1 for an asset); `onChunk` may read early what
+ * has arrived.
  * @param {Uint8Array} packed
  * @param {((bytes: Uint8Array, length: number) => void) | null} [onChunk]
  */
@@ -40,9 +40,9 @@ export async function unpacked(packed, onChunk, kind = 1) {
 }
 
 /**
- * Where the arrays begin, and the header; nothing as long as it is not all there.
+ * The header and the start of the arrays; null until the header is complete.
  * @param {Uint8Array} bytes
- * @param {number} length how many of them are there
+ * @param {number} length the number of bytes so far
  * @returns {{at: number, fields: AssetHeader} | null}
  */
 export function header(bytes, length) {
@@ -53,7 +53,7 @@ export function header(bytes, length) {
 }
 
 /**
- * Where the surfaces end that follow a header.
+ * The end of the surfaces after a header.
  * @param {{at: number, fields: AssetHeader}} head
  */
 export function surfacesEnd({at, fields}) { return at + 12 * fields.vertices + 14 * fields.triangles; }
@@ -71,7 +71,8 @@ export class Reader {
   }
 
   /**
-   * Numbers go to out[first], out[first + stride], ...: differences from the one `back` before, modulo 2^(8 width).
+   * Writes numbers to out[first], out[first + stride], ...; they are coded as differences from the number `back`
+   * before, modulo 2^(8 width).
    * @param {number} count
    * @param {number} back
    * @param {number} width bytes
@@ -95,7 +96,7 @@ export class Reader {
 }
 
 /**
- * Vertices and triangles: what a skin needs. What follows adds the rest.
+ * Vertices and triangles, enough for a skin. The functions below add the rest.
  * @param {Uint8Array} bytes
  * @param {{at: number, fields: AssetHeader}} head
  */
@@ -125,16 +126,16 @@ export function surfaces(bytes, {at, fields}) {
 // ---- Inside and outside (windings.h). ----
 
 /**
- * Adds `winding` (Int8Array) and `nodePart` (Uint8Array: 1 + part, 0 in air) by walking rows of nodes along x. Where a
- * row leaves a body and is still in another, as where a stem is sunk in the flesh, it is in that one's part again: the
- * outer side of a body tells how it looks, not what lies around it.
+ * Adds `winding` (Int8Array) and `nodePart` (Uint8Array: 1 + part, 0 in air) by walking rows of nodes along x. If a row
+ * leaves a body and is still in another, as a stem in flesh, it returns to that body's part: the outer side of a body
+ * has its own look, not that of its surroundings.
  * @param {Fruit} fruit
  */
 export function addWindings(fruit) {
   const {position, triangle, hidden, units} = fruit, [nx, ny, nz] = fruit.count, step = 2 * units;
   const winding = new Int8Array(nx * ny * nz), nodePart = new Uint8Array(nx * ny * nz);
-  const last = new Float32Array(nx * ny * nz).fill(-1);  // where the last crossing before a node lies
-  const leaves = new Uint8Array(nx * ny * nz);           // 1 + the part of the body that is left there
+  const last = new Float32Array(nx * ny * nz).fill(-1);  // the last crossing before a node
+  const leaves = new Uint8Array(nx * ny * nz);           // 1 + the part of the body that the row leaves there
   /** @type {(ay: number, az: number, by: number, bz: number, y: number, z: number) => boolean} */
   const isLeft = (ay, az, by, bz, y, z) => {
     if (bz < az || (bz === az && by < ay)) return !isLeft(by, bz, ay, az, y, z);
@@ -159,7 +160,7 @@ export function addWindings(fruit) {
         const first = Math.max(0, Math.floor(x / step) + 1);
         if (first >= nx) continue;
         const node = (iz * ny + iy) * nx + first;
-        // The front looks along +x where the row passes on the left of all edges.
+        // The front faces +x if the row passes on the left of all edges.
         if (hidden[t] !== 0) winding[node] += left === (hidden[t] === 1) ? -1 : 1;
         if (x < last[node]) continue;
         const outwards = hidden[t] === (left ? 1 : 2), inner = fruit.part[left === outwards ? 1 : 0][t] + 1;
@@ -171,7 +172,7 @@ export function addWindings(fruit) {
   }
   for (let row = 0; row < winding.length; row += nx) {
     /** @type {number[]} */
-    const around = [];  // the parts that lay before each body the row is in
+    const around = [];  // for each body around the row, the part before it
     let bodies = 0, part = 0;
     for (let i = row; i < row + nx; ++i) {
       for (let k = 0; k < winding[i]; ++k) around.push(part);
@@ -195,8 +196,7 @@ export function addWindings(fruit) {
 // ---- Colours of nodes (node_coding.h). ----
 
 /**
- * What a symbol stands for: differences of 0 and 1 exactly, larger ones in steps of 3, those beyond code `thirds` in
- * steps of 5.
+ * The difference of each symbol: 0 and 1 exactly, larger ones in steps of 3, those beyond code `thirds` in steps of 5.
  * @type {(thirds: number) => Int32Array}
  */
 const differences = (thirds) => Int32Array.from({length: 256}, (_, symbol) => {
@@ -207,7 +207,7 @@ const differences = (thirds) => Int32Array.from({length: 256}, (_, symbol) => {
 const weightOf = Int32Array.from({length: 256}, (_, d) => Math.max(1, Math.floor(1024 / (1 + d * d))));
 
 /**
- * One channel of all nodes inside, from coarse to fine; `at`: where its four streams begin.
+ * Decodes one channel of all inner nodes, from coarse to fine; `at`: the starts of its four streams.
  * @param {Int8Array} winding
  * @param {number[]} count
  * @param {Uint8Array} bytes
@@ -264,7 +264,7 @@ function decodeChannel(winding, [nx, ny, nz], bytes, at, value, differenceOf) {
 }
 
 /**
- * Adds `nodeColor`: [red, green, blue], a Uint8Array each. Returns where they end.
+ * Adds `nodeColor`: [red, green, blue], a Uint8Array each. Returns their end.
  * @param {Fruit} fruit
  * @param {Uint8Array} bytes
  * @param {number} at
@@ -283,10 +283,10 @@ export function addNodes(fruit, bytes, at) {
   return at;
 }
 
-// ---- How it is painted, and what knives go around. ----
+// ---- Paint and spared parts. ----
 
 /**
- * Returns where they end.
+ * Returns their end.
  * @param {Fruit} fruit
  * @param {Uint8Array} bytes
  * @param {number} at
@@ -312,7 +312,7 @@ export function addLook(fruit, bytes, at) {
 }
 
 /**
- * All of an unpacked asset.
+ * Reads a whole decompressed asset.
  * @param {Uint8Array} bytes
  */
 export function decoded(bytes) {

@@ -1,10 +1,10 @@
-// A scene's pieces from its bytes: the JavaScript half of page_scene.h.
+// A scene's pieces from its bytes: the JavaScript counterpart of page_scene.h.
 import * as Asset from './read_asset.js';
 
 /** @import {JoinedSkin, SceneHeader} from './types.d.ts' */
 
 /**
- * A direction from where it lies on an unfolded octahedron, 0..1023.
+ * The direction at a place of an unfolded octahedron, 0..1023.
  * @param {number} a
  * @param {number} b
  * @param {Float32Array} out
@@ -21,7 +21,7 @@ function direction(a, b, out, at) {
 }
 
 /**
- * Ten numbers a vertex, as skin.js has them, and the corners of triangles.
+ * Ten numbers per vertex, as in skin.js, and the corners of triangles.
  * @param {Asset.Reader} reader
  * @param {{vertices: number, triangles: number, fruit: number}} solid
  * @param {{units: number}} fruit
@@ -48,7 +48,7 @@ function mesh(reader, {vertices, triangles}, {units}) {
 }
 
 /**
- * Its header, its solids, and the looks of its fruits.
+ * The header, the solids, and the looks of the fruits.
  * @param {Uint8Array} bytes
  */
 export function decoded(bytes) {

@@ -1,4 +1,4 @@
-// Fruit on the table: one, or several side by side that all take the same knives.
+// Fruit on the table: one, or several side by side with the same knives.
 import {boxOfPoints} from './body.js';
 import {M} from './linear.js';
 
@@ -6,12 +6,12 @@ export class Row {
   constructor(bodies) {
     this.bodies = bodies;
     this.takesKnives = true;
-    // As large beside each other as they are.
+    // All at the same scale.
     this.scales = bodies.map((body) => body.fruit.header.spacing / bodies[0].fruit.header.spacing);
   }
   get size() { return this.bodies[0].frame.size; }
 
-  /** The same knife in every body: as far from its middle as in the first, measured by their sizes. */
+  /** The same knife in every body, at the same distance from the middle relative to its size. */
   setKnives(knives) {
     const [first] = this.bodies;
     for (const body of this.bodies)
@@ -23,7 +23,7 @@ export class Row {
       body.arrange(apart, open);
     }
     if (this.bodies.length === 1) return;
-    // Each stands on the table, a little away from the one before it; where a row is full, the next begins before it.
+    // Each stands on the table, slightly away from the previous one; a new row begins in front of a full one.
     const gap = 0.12 * this.size, widest = 4.4 * this.size;
     let right = 0, front = 0, deepest = 0;
     this.bodies.forEach((body, i) => {

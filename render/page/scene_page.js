@@ -1,4 +1,4 @@
-// The page of a scene: the pile, the piece that has been picked, and that piece alone under the knife.
+// The page of a scene: the pile, the selected piece, and that piece alone under the knife.
 import {beginPage} from './begin.js';
 import {Body, Shape} from './body.js';
 import {FruitTextures} from './fruit_textures.js';
@@ -41,7 +41,7 @@ import {Tools} from './tools.js';
     else takeOut();
   });
 
-  // ---- What has been picked. ----
+  // ---- The selection. ----
 
   function line(term, text) {
     const dt = document.createElement('dt'), dd = document.createElement('dd');
@@ -64,7 +64,7 @@ import {Tools} from './tools.js';
     line('mass', `${inGrams(facts.mass)}, ${(1e6 * facts.volume).toPrecision(3)} cm³`);
     if (facts.command) line('again', facts.command);
     $('facts').hidden = false;
-    // Alone, it needs the room.
+    // A single piece needs the space.
     $('facts').classList.toggle('brief', isOut());
     $('take').disabled = body.fruit.header.asset < 0;
     $('take').textContent = body.fruit.header.asset < 0 ? 'No fruit is known of it'
@@ -164,7 +164,7 @@ import {Tools} from './tools.js';
   }
   first.then(takeScene);
 
-  // For tests and for the curious.
+  // For tests and for the console.
   /** @type {any} */ (window).pomona = {
     board,
     picture,

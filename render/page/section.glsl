@@ -1,10 +1,11 @@
-// Cut faces. LOOK: their bare colours, into a texture that a knife's face is parametrised by; WITHIN: what lies outside a
-// piece is taken from it, or what lies within a spared part; WAYS: how far the rim of
-// each place's part is along its row; TONE, DETAIL and INK: noise, details one by one, and lines and slopes; SHOW: the face as it stands in the picture, lit; DEPTH and PICK: what shadows and the pointer ask.
+// Cut faces. LOOK: their bare colours, into a texture over the knife's face. WITHIN: removes what lies outside a piece,
+// or inside a spared part. WAYS: the distance of each place to the rim of its part along its row. TONE, DETAIL, INK:
+// noise, details one by one, lines and slopes. SHOW: the lit face in the picture. DEPTH and PICK: for shadows and the
+// pointer.
 #ifdef VERTEX
 // A strip across the face: flat knives have one column, others many.
 uniform int columns;
-uniform vec4 box;  // low and high corner of what of the face is drawn, -1 to 1
+uniform vec4 box;  // low and high corner of the drawn part of the face, -1 to 1
 uniform vec3 face_origin, face_u, face_v, face_n;  // cells of the grid; u and v as long as half the face
 uniform mat4 piece, camera;
 uniform int knife_number;
@@ -57,7 +58,7 @@ void main() {
 #endif
 
 #ifdef WITHIN
-uniform sampler2D crossed;  // by rays from here: how often out of the meshes and into them, of 255
+uniform sampler2D crossed;  // by rays from here: number of exits from the meshes and entries into them, of 255
 uniform bool keeps_inside;
 layout(location = 0) out vec4 bare;
 layout(location = 1) out vec4 tag;
@@ -70,7 +71,7 @@ void main() {
 
 #if defined(WAYS) || defined(INK)
 uniform sampler2D tags;
-uniform int reach;    // texels, up to 127: rims farther away are not looked for; 0: no part shows them
+uniform int reach;    // texels, up to 127: rims farther away are ignored; 0: no part shows them
 uniform vec2 texel;   // metres; of the reach, too
 
 float tag_at(ivec2 at) { return texelFetch(tags, clamp(at, ivec2(0), textureSize(tags, 0) - 1), 0).r; }
@@ -103,7 +104,7 @@ void main() {
 uniform sampler2D tags;
 #endif
 #if defined(TONE) || defined(DETAIL) || defined(INK)
-uniform sampler2D bare, before, heights;  // before, heights: what the pass before this one has left
+uniform sampler2D bare, before, heights;  // before, heights: results of the previous pass
 layout(location = 0) out vec4 styled;
 layout(location = 1) out vec4 beside;  // of TONE and DETAIL: height, 16 bits; of INK: slopes along u and v, way to the rim
 
@@ -137,7 +138,7 @@ void main() {
 #endif
 
 #ifdef DETAIL
-// One detail of cut faces, of a kind that is known when this is compiled: what `detailed` does in pictures.
+// One detail of cut faces, of a kind known at compile time, like `detailed` in pictures.
 uniform int detail_number;
 uniform vec4 detail_channel;    // of the shares: 1 for this one
 #include "detail.glsl"
@@ -157,7 +158,7 @@ void main() {
   styled = texelFetch(before, at, 0);
   beside = texelFetch(heights, at, 0);
 
-  // What the detail is, and how much it counts for a colour like this.
+  // The detail, and its weight for this colour.
   int detail = detail_texels * detail_number;
   vec4 head = texelFetch(detail_styles, detail), form = texelFetch(detail_styles, detail + 2);
   vec4 target = texelFetch(detail_styles, detail + 3), near = texelFetch(detail_styles, detail + 4), last = texelFetch(detail_styles, detail + 6);
@@ -181,19 +182,19 @@ uniform float ink_width;  // texels to either side
 uniform sampler2D ways;
 uniform bool has_heights;
 
-// Where the bare colour jumps between two sides of the place: how sharply, in OKLab.
+// The jump of the bare colour between two sides of the place, in OKLab.
 float jump(ivec2 at, vec2 way) {
   vec4 a = bare_at(at + ivec2(round(way))), b = bare_at(at - ivec2(round(way)));
   return a.a * b.a > 0.0 ? length(to_oklab(a.rgb) - to_oklab(b.rgb)) : 0.0;
 }
 
-// Away from the nearest place of the part's rim, and how far it is, metres.
+// The direction away from the nearest point of the part's rim, and its distance, metres.
 vec3 to_rim(ivec2 at) {
   float tag = tag_at(at), nearest = float(reach * reach);
   vec2 way = vec2(0.0);
   int last = shows_rim(tag) ? reach : 0;
   for (int i = 0; i <= 2 * last; ++i) {
-    // Row after row, up and down by turns; where the part ends straight above or below, none is nearer beyond.
+    // Row by row, alternately up and down; beyond the part's end straight above or below no row is nearer.
     int d = (i & 1) == 0 ? -(i / 2) : (i + 1) / 2;
     if (float(d * d) >= nearest) break;
     ivec2 there = at + ivec2(0, d);
@@ -229,7 +230,7 @@ vec2 slope_of_heights(ivec2 at) {
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   if (bare_at(at).a == 0.0) {
-    // Beyond the rim the colours beside it go on, for when the texture is seen smaller.
+    // Beyond the rim the colours continue, for smaller scales of the texture.
     vec4 sum = vec4(0.0);
     int i = 0;
     do {
@@ -243,7 +244,7 @@ void main() {
   }
   vec3 color = texelFetch(before, at, 0).rgb;
   if (ink.a > 0.0) {
-    // The hand presses now more, now less.
+    // The pressure of the pen varies.
     float hand = 0.75 + 0.5 * gradient_noise(vec3(place * 9.0, 0.5), 77u);
     float reach = max(ink_width * hand, 0.75);
     float sharpest = max(max(jump(at, vec2(reach, 0.0)), jump(at, vec2(0.0, reach))),
@@ -254,7 +255,7 @@ void main() {
   vec3 rim = to_rim(at);
   vec2 slope = has_heights ? slope_of_heights(at) : vec2(0.0);
   float relief = relief_of(tag_at(at));
-  // A part of a relief rises from its rim as a quarter of a circle does, drawn out (render/style/face_relief.h).
+  // A part with relief rises from its rim like a stretched quarter of a circle (render/style/face_relief.h).
   if (relief != 0.0) slope += sign(relief) * max(1.0 - rim.z / abs(2.0 * relief), 0.0) * rim.xy;
   beside = vec4(slope / steepest * 0.5 + 0.5, rim.z / texel.y, 1.0);
 }
@@ -291,11 +292,11 @@ uniform float side;        // +1: seen from where the normal points
 uniform vec4 ink;
 uniform float rim_width;   // pixels
 uniform vec2 paint;        // saturation, lightness
-uniform float outline;     // whether rims have one
-uniform sampler2D slopes;  // along u and v, from -2 to 2; how far the part's rim is, of 4 mm
+uniform float outline;     // 1 if rims have a line
+uniform sampler2D slopes;  // along u and v, from -2 to 2; distance of the part's rim, of 4 mm
 layout(location = 0) out vec4 pixel;
 
-// The rim: how much of what lies around is no longer fruit.
+// The rim: how much of the neighbourhood is outside the fruit.
 float air_around(vec2 at, vec2 dx, vec2 dy) {
   float air = 0.0;
   int i = 0, ways = outline > 0.0 ? 12 : 1;
@@ -316,7 +317,7 @@ vec3 shown(vec2 at, vec2 dx, vec2 dy, float footprint) {
 vec3 shown(vec2 at, vec2 dx, vec2 dy, float footprint) {
   float slope = (profile_at(knife_number, place.x + 0.008) - profile_at(knife_number, place.x - 0.008)) / 0.016;
   vec3 n = normalize(face_n - slope * face_u / dot(face_u, face_u));
-  // What stands out stands out of both faces of a cut.
+  // Raised details are raised on both faces of a cut.
   vec4 relief = textureGrad(slopes, at, dx, dy);
   vec2 rise = relief.xy * 4.0 - 2.0;
   n = normalize(mat3(piece) * n) * side;

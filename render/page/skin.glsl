@@ -1,12 +1,13 @@
-// The skin and the walls of hollows, and the cut faces that a piece of a scene came with. SHOW: lit, QUICK: plainly, as less need be compiled; HULL: the outline, a shell drawn a little larger behind it; DEPTH and
-// PICK: what shadows and the pointer ask; WITHIN: seen from within, through the hair's breadth between skin and cut face;
-// CROSSED: where rays from a knife's face pass through it.
+// The skin, the walls of hollows, and the cut faces that a scene's piece already had. SHOW: lit. QUICK: plain, with
+// less to compile. HULL: the outline, a shell drawn slightly larger behind. DEPTH and PICK: for shadows and the
+// pointer. WITHIN: seen from inside, through the narrow gap between skin and cut face. CROSSED: where rays from a
+// knife's face pass through it.
 #ifdef VERTEX
 layout(location = 0) in vec3 position;  // cells of the grid
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 color;
-layout(location = 3) in float part;  // 1000 more on cut faces
-layout(location = 4) in vec3 outwards;  // as normal, but one for all corners at a place; any length
+layout(location = 3) in float part;  // plus 1000 on cut faces
+layout(location = 4) in vec3 outwards;  // like normal, but the same for all corners at a place; any length
 uniform mat4 piece, camera;
 uniform vec3 face_origin, face_u, face_v, face_n;  // of CROSSED: cells; u and v as long as half the face
 uniform vec3 outline;  // half the picture's width and height, pixels; the line's width
@@ -36,7 +37,7 @@ void main() {
 centroid in vec3 in_fruit;
 centroid in vec3 fruit_normal, bare;
 flat in float tag, on_cut;
-uniform uvec2 left_out;  // bits of parts that are drawn otherwise
+uniform uvec2 left_out;  // bits of parts that are drawn elsewhere
 #include "cut_away.glsl"
 
 bool is_away() {
@@ -97,7 +98,7 @@ uniform vec2 paint;
 uniform vec4 ink;
 layout(location = 0) out vec4 pixel;
 
-// Only pieces of scenes came with cut faces: for others nothing of them need be compiled.
+// Only pieces of scenes have cut faces in their meshes; for others nothing of them must be compiled.
 #ifdef PIECES
 #define IS_CUT (on_cut > 0.5)
 #else
@@ -123,7 +124,7 @@ void main() {
   float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
   bool away = is_away();
   if (away) discard;
-  // Software renderers go on with what was discarded; where it is not asked for its colour, all loops within that end early.
+  // Software renderers continue after discard; without asking for the colour all loops in it end early.
   vec3 color = bare;
   if (!away) color = shown(footprint);
   pixel = vec4(srgb_from_linear(color), 1.0);

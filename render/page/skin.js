@@ -1,11 +1,11 @@
-// The skin as triangles to be drawn: the boundary, seen from air, with smooth normals.
+// The triangles of the skin: the boundary seen from air, with smooth normals.
 import {linear} from './read_asset.js';
 
 /** @import {Fruit, JoinedSkin, Numbers} from './types.d.ts' */
 
 /**
- * Which of `count` things are one: a function that tells a thing's number, the same for all that are alike, in the
- * order in which they are met; it hands out up to `most`. A hash table, open addressing.
+ * Finds equal items among `count`: returns a function from an item to its number, the same for equal items, in order of
+ * first use, up to `most` numbers. A hash table with open addressing.
  * @param {number} count
  * @param {number} most
  * @param {(i: number) => number} hashOf
@@ -28,8 +28,7 @@ function numbering(count, most, hashOf, alike) {
 }
 
 /**
- * Points at one place are one: numbers them, up to `most` of them. `p`: coordinates, those of a point `stride` after
- * the last one's; `bits`: whole numbers for them.
+ * Numbers points by place, up to `most`. `p`: coordinates, `stride` numbers per point; `bits`: integers for them.
  * @type {(p: Numbers, stride: number, most: number, bits?: Numbers) => (i: number) => number}
  */
 const places = (p, stride, most, bits = p) => numbering(
@@ -40,8 +39,8 @@ const places = (p, stride, most, bits = p) => numbering(
     p[stride * v + 2] === p[stride * w + 2]);
 
 /**
- * Of triangles, three `corners` after three: `face`, the normal of each, as long as twice its area; `sum`, of each of
- * `most` places those of all that meet there.
+ * For triangles of three `corners` each: `face`, their normals, as long as twice the area; `sum`, for each of `most`
+ * places the sum of the normals that meet there.
  * @param {Numbers} p
  * @param {number} stride
  * @param {Numbers} corners
@@ -68,7 +67,7 @@ function areas(p, stride, corners, placeOf, most) {
 }
 
 /**
- * Of all triangles with a hidden side.
+ * The skin of all triangles with a hidden side.
  * @param {Fruit} fruit
  */
 export function built(fruit) {
@@ -79,9 +78,9 @@ export function built(fruit) {
 }
 
 /**
- * Ten numbers a corner, nothing shared: position (cells of the grid), normal, colour (linear), part. Normals are smooth
- * over equal places, but where surfaces meet at a sharp angle. `seen(t)`: whether a triangle's corners are taken the
- * other way round, and whether it has the colour and part of its front.
+ * Ten numbers per corner, nothing shared: position (cells of the grid), normal, colour (linear), part. Normals are
+ * smooth over equal places, except where surfaces meet at a sharp angle. `seen(t)`: whether a triangle's corners are
+ * reversed, and whether it has the colour and part of its front.
  * @param {Fruit} fruit
  * @param {number[]} faces
  * @param {(t: number) => {turned: boolean, front: boolean}} seen
@@ -113,7 +112,7 @@ export function skinOf(fruit, faces, seen) {
 }
 
 /**
- * Corners that are alike in all ten numbers are one.
+ * Joins corners that are equal in all ten numbers.
  * @param {Float32Array} data
  * @returns {JoinedSkin}
  */
@@ -140,8 +139,8 @@ export function joined(data) {
 }
 
 /**
- * Three numbers a corner of a skin: the sum of the normals of all triangles that meet at its place, each as long as its
- * triangle is large. An outline moves outwards by it, and stays whole where surfaces meet at a sharp angle.
+ * Three numbers per corner of a skin: the sum of the normals of all triangles at its place, weighted by area. An
+ * outline moves outwards along it, and stays closed where surfaces meet at a sharp angle.
  * @param {Float32Array} skin
  * @param {Uint32Array | null} index
  */

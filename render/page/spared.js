@@ -1,5 +1,5 @@
-// Parts that knives go around, in the worker: the shells around them, which the program has found
-// (generator/cut/spared.h), as triangles to be drawn, and points within each that tell which piece has most of it.
+// Spared parts, in the worker: the shells around them, which the program has found (generator/cut/spared.h), as
+// triangles, and points within each shell that tell which piece has most of it.
 import * as Skin from './skin.js';
 
 /** @import {Fruit, Point} from './types.d.ts' */
@@ -7,7 +7,7 @@ import * as Skin from './skin.js';
 const most = 60000;  // points of all shells together
 
 /**
- * Triangles of each shell, as the program has found them.
+ * The triangles of each shell, from the asset.
  * @param {Fruit} fruit
  */
 function shellsOf({shell, header}) {
@@ -19,8 +19,8 @@ function shellsOf({shell, header}) {
 }
 
 /**
- * Calls `visit(x, y, z)` for the points inside of a shell on a lattice that divides each cell by `fine`; whole numbers,
- * half a step away from the cells' corners where fine is even.
+ * Calls `visit(x, y, z)` for the points inside a shell on a lattice that divides each cell by `fine`; integers, half a
+ * step off the cells' corners if `fine` is even.
  * @param {Fruit} fruit
  * @param {number[]} faces
  * @param {number} fine
@@ -40,7 +40,7 @@ function eachWithin(fruit, faces, fine, visit) {
     const [lowY, highY] = range(1), [lowZ, highZ] = range(2);
     for (let z = lowZ; z <= highZ; ++z)
       for (let y = lowY; y <= highY; ++y) {
-        // A little aside: no column meets an edge.
+        // Slightly shifted, so that no column meets an edge.
         const u = area(b, c, y + 1.3e-4, z + 2.9e-4) / whole, v = area(c, a, y + 1.3e-4, z + 2.9e-4) / whole;
         if (u < 0 || v < 0 || u + v > 1) continue;
         const key = z * 65536 + y;
@@ -61,9 +61,9 @@ function eachWithin(fruit, faces, fine, visit) {
 }
 
 /**
- * {stone, socket: skins (skin.js) of all shells one after another, seen from outside and from inside; shells: [{first,
- * count of their corners, points within: three numbers each, cells}]}, or null where nothing is spared. Nodes within
- * shells become air in `free`, a copy of the windings.
+ * {stone, socket: skins (skin.js) of all shells, from outside and from inside; shells: [{first, count of their corners,
+ * points within: three numbers each, cells}]}, or null without spared parts. In `free`, a copy of the windings, nodes
+ * within shells become air.
  * @param {Fruit} fruit
  */
 export function built(fruit) {

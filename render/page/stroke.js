@@ -1,4 +1,4 @@
-// A cut that is drawn over the fruit.
+// A cut drawn over the fruit.
 import {mostKnives} from './board.js';
 import {Knife} from './knives.js';
 import {M, V} from './linear.js';
@@ -9,7 +9,7 @@ export class Stroke {
     this.board = board;
     this.points = null;
   }
-  /** While hands draw: it has points. */
+  /** True while drawing, when it has points. */
   get isDrawn() { return this.points !== null; }
 
   stop() {
@@ -38,7 +38,7 @@ export class Stroke {
     this.points.push([x, y]);
     $('stroke').setAttribute('d', `M${this.points.map((p) => p.join(' ')).join('L')}`);
   }
-  /** Cuts along it, straight away from who looks. */
+  /** Cuts along the stroke, straight away from the viewer. */
   cut() {
     const {board} = this, {canvas, camera} = board, {frame, place} = board.first, {aspect} = board;
     const {back} = camera.directions, {eye} = camera;

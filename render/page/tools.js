@@ -1,9 +1,9 @@
-// Sliders, buttons and keys, and what they show of the knife.
+// Sliders, buttons and keys for the knife.
 import {mostKnives} from './board.js';
 import {$} from './messages.js';
 
 export class Tools {
-  /** `further`: more keys and what they do. */
+  /** `further`: more keys and their actions. */
   constructor(board, blade, stroke, paper, further = {}) {
     this.board = board;
     this.stroke = stroke;

@@ -1,4 +1,4 @@
-// Assets of the page, unpacked by a worker one after another.
+// A worker decompresses the page's assets one after another.
 import {$, sorry} from './messages.js';
 
 export class Unpacking {
@@ -7,7 +7,7 @@ export class Unpacking {
     this.worker = new Worker(url);
     this.waiting = new Map();
     this.next = 0;
-    /** A worker begins only where the page lets the browser do so: what keeps the page busy should wait for it. */
+    /** A worker starts only while the page is idle: long work should wait for it. */
     this.isUp = new Promise((up) => {
       this.up = up;
     });
@@ -31,17 +31,17 @@ export class Unpacking {
   }
   stop() { this.worker.terminate(); }
   /**
-   * `element`: what holds it. `onSkin({header, skin, index})` comes early; the promise brings the rest, for
+   * `element` holds the asset. `onSkin({header, skin, index})` is called early; the promise gives the rest, for
    * FruitTextures.
    */
   asset(element, onSkin = () => {}) { return this.unpack(element, false, onSkin); }
-  /** The promise brings {header, solids}. */
+  /** The promise gives {header, solids}. */
   scene(element) { return this.unpack(element, true, () => {}); }
   unpack(element, isScene, onSkin) {
     const job = this.next++;
     return new Promise((done, failed) => {
       this.waiting.set(job, {onSkin, done, failed});
-      // Not before it is up: what it has been told until then it hears only when the page has nothing to do.
+      // Not before it runs: it would get earlier messages only when the page is idle.
       this.isUp.then(
         () =>
           this.worker.postMessage({job, isScene, text: element.textContent, length: Number(element.dataset.length)}));

@@ -1,5 +1,5 @@
-// The worker: unpacks the asset and lays it out for the card. The skin goes out as soon as its bytes are there, then
-// what cut faces need.
+// The worker: decompresses the asset and lays it out for the card. It sends the skin as soon as its bytes are there,
+// then the data of cut faces.
 import {laidOut} from './laid_out.js';
 import * as Asset from './read_asset.js';
 import * as ScenePieces from './read_scene.js';
@@ -25,7 +25,7 @@ function bytesOf(text) {
 }
 
 /**
- * A fruit: its skin as soon as it is there, then what cut faces need.
+ * A fruit: its skin as soon as possible, then the data of cut faces.
  * @param {number} job
  * @param {Uint8Array} packed
  */
@@ -59,7 +59,7 @@ async function unpackScene(job, packed) {
   postMessage({job, ...scene, solids}, {transfer});
 }
 
-// From now on it hears what it is told, also while the page is busy.
+// From now on it receives messages, also while the page is busy.
 setTimeout(() => postMessage({isUp: true}));
 
 onmessage = async ({data: {job, text, length, isScene}}) => {

@@ -29,8 +29,9 @@ def report(faults, how):
              f"Faults that a tool has put into the sources, and whether tests other than goldens see them. `make mutants` writes this page. {how}", "",
              figures, "", *[line for first in first_figures() for line in (first, "")],
              *folders_table(judged, equivalent), "",
-             "Survivors. \"Asked\" is how many tests it was shown to, of those that come by its place.", "",
-             *survivors_table(survived, equivalent, unseen)]
+             "Survivors that could be seen; `tests/mutants.toml` says of the others why nothing can see them. \"Asked\" is how many tests a "
+             "fault was shown to, of those that reach its place.", "",
+             *survivors_table([one for one in survived if not why(one[0], equivalent)], unseen)]
     lines = [line if line.startswith("|") else textwrap.fill(line, 120, break_long_words=False) for line in lines]
     PAGE.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(figures)
@@ -58,9 +59,9 @@ def folders_table(judged, equivalent):
     return lines
 
 
-def survivors_table(survived, equivalent, unseen):
+def survivors_table(survived, unseen):
     def row(fault, result):
-        reason = why(fault, equivalent) or f"{untold(result[2])} {why(fault, unseen)}"
+        reason = f"{untold(result[2])} {why(fault, unseen)}"
         return f"| {fault.told().replace('|', chr(92) + '|')} | {result[2].replace('/', ' of ')} | {reason} |"
 
     return ["| fault | asked | why |", "|---|--:|---|", *(row(*one) for one in survived)]

@@ -1,4 +1,4 @@
-// Folders of files that must be refused, each of which says in its first line where and why.
+// Folders of files that must be refused; the first line of each says where and why.
 #pragma once
 
 #include <filesystem>

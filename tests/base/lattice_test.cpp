@@ -26,12 +26,12 @@ TEST(LatticeHash, NeighboursHaveNothingInCommon) {
           lattice_hash(at[0], at[1], at[2], 5) ^ lattice_hash(beside[0], beside[1], beside[2], 5);
       for (std::size_t bit = 0; bit < 32; ++bit) differs[bit] += (change >> bit & 1u) != 0 ? 1 : 0;
     }
-    // The numbers scatter by 32.
+    // The standard deviation of the numbers is 32.
     for (std::size_t bit = 0; bit < 32; ++bit) EXPECT_NEAR(differs[bit], cells / 2, 160) << "bit " << bit;
   }
 }
 
-/// Wellons' lowbias32, worked out by hand: another function would change every noise.
+/// Wellons' lowbias32, computed by hand. Another function would change every noise.
 TEST(LatticeHash, IsTheOneThatFilesRestOn) {
   EXPECT_EQ(lattice_hash(0, 0, 0, 0), 0x0u);
   EXPECT_EQ(lattice_hash(1, 2, 3, 4), 0xa1bfec75u);

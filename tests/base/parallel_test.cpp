@@ -14,7 +14,7 @@
 namespace pomona {
 namespace {
 
-/// How many bodies are inside at once, when each waits for the others, but not for ever.
+/// Number of loop bodies that run at once, if each waits for the others for a limited time.
 std::size_t met_at_once(std::size_t count, Threads threads) {
   std::mutex mutex;
   std::condition_variable all_here;
@@ -46,7 +46,7 @@ TEST(Parallel, DoesEachOnceHoweverManyThreadsAreAskedFor) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-/// Whether some thread has begun an item of a loop before it was done with another of that loop.
+/// Whether a thread has begun an item of a loop before it finished another item of that loop.
 bool holds_two_items_at_once(Threads threads) {
   static thread_local int depth = 0;
   std::atomic<bool> is_nested = false;

@@ -18,7 +18,7 @@ TEST(Random, philox_gives_the_published_answer) {
 }
 
 TEST(Random, a_stream_is_frozen) {
-  // Whoever changes these changes every variant that was ever made.
+  // A change of these numbers changes all variants that were ever made.
   const RandomStream stream({1, 2}, "frozen");
   EXPECT_EQ(stream.bits(0), 12131809914034332202u);
   EXPECT_EQ(stream.bits(1), 13440658807520601897u);

@@ -10,7 +10,7 @@
 namespace pomona {
 namespace {
 
-/// How many items of a loop begin, if one of them asks for the stop.
+/// Number of items of a loop that begin if one of them asks for the stop.
 std::size_t begun_until_stopped(Threads threads) {
   std::atomic<bool> stop = false;
   std::atomic<std::size_t> begun = 0;

@@ -1,4 +1,4 @@
-// A folder of a test's own: tests run side by side.
+// Each test has its own folder, because tests run in parallel.
 #pragma once
 
 #include <cstdlib>

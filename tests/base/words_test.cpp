@@ -1,4 +1,4 @@
-// Files are read up to the length they may have, and names that are nearly right are recognised.
+// Files are read up to the allowed length, and nearly correct names are recognised.
 #include <sstream>
 #include <string>
 

@@ -64,7 +64,7 @@ quality = "reference"
   ASSERT_THAT(batch.entries[0].knives, SizeIs(1));
   EXPECT_THAT(batch.entries[0].knives[0], SizeIs(1));
 
-  // What [batch] says holds where an entry says nothing else.
+  // Values of [batch] are defaults of the entries.
   EXPECT_THAT(batch.entries[0].assets.qualities, ElementsAre(Quality::draft, Quality::final));
   EXPECT_THAT(batch.entries[1].assets.qualities, ElementsAre(Quality::reference));
   ASSERT_THAT(batch.entries[1].knives, SizeIs(3));

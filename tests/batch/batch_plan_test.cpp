@@ -44,7 +44,7 @@ TEST(BatchPlan, MultipliesItsLists) {
   EXPECT_EQ(plan.variants(), 2 * 3 * 2 * 3);
   EXPECT_EQ(plan.items(), plan.variants() * 2 * 2 * 2);
 
-  // Each combination is there once.
+  // Each combination occurs once.
   std::set<std::tuple<std::size_t, std::uint64_t, int, double, std::size_t, Quality, int>> seen;
   std::int64_t next = 0;
   for (std::int64_t v = 0; v < plan.variants(); ++v) {

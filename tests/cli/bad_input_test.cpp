@@ -50,7 +50,7 @@ TEST(BadInput, LeavesNoFileBehind) {
   }
 }
 
-/// A scene that reads well and yet cannot be, and what is said of it.
+/// A scene that can be read but not made, and its error.
 struct ImpossibleScene {
   std::string text;
   int status = 0;

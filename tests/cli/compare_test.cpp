@@ -1,4 +1,4 @@
-// pomona compare: its statuses, its files, and pictures that are none.
+// pomona compare: its statuses, its files, and invalid pictures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

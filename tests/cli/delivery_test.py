@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""One order, one delivery: every file of every command says which seed made it, and a batch writes, in every format and
-by every option, what `pomona cut` writes with the same words.
+"""One order, one delivery: every file of every command names its seed, and a batch writes, in every format and with every
+option, the same as `pomona cut`.
 
     delivery_test.py PROGRAM SOURCE
 """
@@ -65,7 +65,7 @@ class Seeds(Sandbox):
         self.assert_said(b", seed 5", "x.glb", "x.usda", "x.pov", "x.svg")
 
 
-# A value for each option that a batch takes, as TOML has it.
+# A TOML value for each option of a batch.
 VALUES = {
     "as_drawn": "true", "variation": "0.5", "curves_only": "true", "scale": "1.5", "detail": "0.5", "faces": '"coarse"',
     "piece": "2", "explode": "1.5", "crumbs": "true", "diffuser": '"harmonic"', "style": '"plain"', "texel": '"4mm"',

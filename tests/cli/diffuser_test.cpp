@@ -1,4 +1,4 @@
-// --diffuser as a user meets it: what --stats names, and what happens where OpenGL is missing.
+// --diffuser for users: the device in --stats, and the errors without OpenGL.
 #include <cstdlib>
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// An environment variable that programs started from here see, for as long as it lives.
+/// Sets an environment variable for programs started during its lifetime.
 class Environment {
  public:
   Environment(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
@@ -65,7 +65,7 @@ TEST(Diffuser, AWrongRouteIsAWrongCommandLine) {
 }
 
 TEST(Diffuser, MissingOpenGlIsTold) {
-  // No driver for EGL to call; OSMesa needs none.
+  // No driver for EGL; OSMesa needs none.
   const Environment no_driver("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere");
   for (const char* route : {"device", "surfaceless"}) {
     const Environment wanted("POMONA_GL", route);
@@ -79,7 +79,7 @@ TEST(Diffuser, MissingOpenGlIsTold) {
 }
 
 TEST(Diffuser, OldOpenGlIsTold) {
-  // A variable of Mesa's.
+  // Mesa reads this variable.
   const Environment old("MESA_GL_VERSION_OVERRIDE", "3.3");
   const TemporaryFolder folder;
   const Outcome outcome = cut_with("gl", folder);

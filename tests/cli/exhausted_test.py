@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Whatever little memory there is, a command ends well or says that there is too little: never is it "a bug". A studio
-that cannot have all its threads answers with fewer.
+"""With any amount of memory, a command ends well or reports a lack of memory, never "a bug". A studio that cannot have all
+its threads answers with fewer.
 
     exhausted_test.py POMONA
 
-The space for addresses grows in small steps, from what the program needs to tell its version to what the command needs;
-on the way first the threads cannot be had, then this allocation, then that one. Outputs appear whole or not at all.
+The address space grows in small steps, from what `--version` needs to what the command needs. On the way threads fail, then one
+allocation after another. Outputs appear whole or not at all.
 """
 
 import os
@@ -47,7 +47,7 @@ STUDIO_LIMIT = 160 << 20  # bytes: the stacks of 32 threads take 256 MB
 
 
 def ran(program, folder, words, limit):
-    """Status and message of a run that may have so many bytes of addresses."""
+    """Status and message of a run with this many bytes of address space."""
     def confine():
         resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
     done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, preexec_fn=confine, check=False)
@@ -55,7 +55,7 @@ def ran(program, folder, words, limit):
 
 
 def tried(program, words, least):
-    """What a command said on its way from `least` bytes to as many as it needs."""
+    """The messages of a command from `least` bytes up to as many as it needs."""
     told = set()
     with tempfile.TemporaryDirectory() as folder:
         for limit in range(least, MOST, STEP):

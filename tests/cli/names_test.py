@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Names of files and what stands in them are no part of what is told, or of a format: control characters, line breaks,
-bytes that are no UTF-8, USD's "@@@", a dash at the beginning.
+"""Names of files and their contents must not act on the terminal or break a format: control characters, line breaks, bytes that
+are no UTF-8, USD's "@@@", a dash at the beginning.
 
     names_test.py PROGRAM SOURCE
 """
@@ -30,7 +30,7 @@ class Names(unittest.TestCase):
         shutil.copy(SOURCE / "templates/cherry.svg", self.path)
 
     def cherry(self, name):
-        """A template of this name, which may be any bytes."""
+        """A template with this name, which may be any bytes."""
         shutil.copy(SOURCE / "templates/cherry.toml", os.path.join(os.fsencode(self.path), os.fsencode(name)))
 
     def pomona(self, *words, status=0, **how):
@@ -39,7 +39,7 @@ class Names(unittest.TestCase):
         return done
 
     def assert_plain(self, told):
-        """Lines with nothing in them that moves a cursor."""
+        """Lines without characters that move a cursor."""
         self.assertEqual([byte for byte in told if byte < 0x20 and byte not in b"\t\n"], [], told)
 
     def test_a_list_shows_control_characters_spelt_out(self):
@@ -75,7 +75,7 @@ class Names(unittest.TestCase):
         for name in ("a@@@b", "a@@@@b", "@@@", "a@b", "plain"):
             self.pomona("cut", SOURCE / "templates/cherry.toml", *QUICK, "--texture", "64", "-o", name + ".usda")
             text = (self.path / f"{name}.usda").read_text()
-            # A path ends at the first sign like that at its beginning, unless a backslash stands before it.
+            # A path ends at the first sign equal to its opening one, unless a backslash is before it.
             found = re.findall(r'inputs:file = (@@@((?:\\@@@|(?!@@@).)*)@@@|@([^@]*)@)(?: \(colorSpace = "\w+"\))?$', text, re.M)
             self.assertEqual(len(found), text.count("inputs:file"), name)
             for _, long, short in found:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a .glb says of a piece makes it again: runs the command in each mesh's extras, and compares vertices and triangles
-byte by byte.
+"""A .glb's `command` makes a piece again: runs the command in each mesh's extras, and compares vertices and triangles byte by
+byte.
 
     remake_test.py PROGRAM SOURCE
 """
@@ -68,7 +68,7 @@ def read(glb):
 
 
 def arrays(document, buffer, mesh):
-    """The bytes of all that a mesh consists of."""
+    """All bytes of a mesh."""
     def view(accessor):
         part = document["bufferViews"][document["accessors"][accessor]["bufferView"]]
         return buffer[part["byteOffset"]:part["byteOffset"] + part["byteLength"]]
@@ -85,7 +85,7 @@ class Remake(unittest.TestCase):
         subprocess.run([PROGRAM, *words, "--quiet"], cwd=self.path, check=True)
 
     def by_command(self, command):
-        """The mesh that a command makes, run as a user would from a shell."""
+        """The mesh that a command makes, run by a shell."""
         environment = dict(os.environ, PATH=f"{PROGRAM.parent}:{os.environ['PATH']}")
         result = subprocess.run(["sh", "-c", command + " --quiet"], cwd=self.path, env=environment, capture_output=True,
                                 text=True)

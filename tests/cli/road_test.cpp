@@ -1,4 +1,4 @@
-// The whole road through the program: same seed, same bytes; file and program agree.
+// From template to file by the program: same seed, same bytes; files and program agree.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Coarse fruit: what is tested does not depend on the tessellation.
+// Coarse fruit: the tested properties do not depend on the tessellation.
 const std::vector<std::string> coarse = {"--detail", "0.4", "--quality", "draft", "--quiet"};
 
 std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
@@ -65,7 +65,7 @@ TEST_P(Fruit, LevelsOfDetailDoNotDependOnThreadsAndAreCounted) {
 
 TEST_P(Fruit, SeedsDifferAndShareTheirConnectivity) {
   const TemporaryFolder folder;
-  // Counts of folds and layers vary, too, unless they are fixed.
+  // Numbers of folds and layers vary, too, unless they are fixed.
   const std::vector<std::string> fixed =
       std::string(GetParam()) == "pepper" ? std::vector<std::string>{"--folds", "4"} : std::vector<std::string>{};
   for (const char* seed : {"0", "1", "2"}) {
@@ -77,7 +77,7 @@ TEST_P(Fruit, SeedsDifferAndShareTheirConnectivity) {
                     two = bytes_of(folder / "2.ply");
   EXPECT_NE(drawn, one);
   EXPECT_NE(one, two);
-  // The faces follow the vertices, and the header tells how many there are: equal tails, equal faces.
+  // The faces follow the vertices, and the header has their number: equal tails mean equal faces.
   const std::size_t header = drawn.find("end_header\n") + 11;
   const std::size_t vertices = std::stoul(drawn.substr(drawn.find("element vertex ") + 15));
   constexpr std::size_t vertex_bytes = 3 * 4 + 3 + 6 * 4 + 4 + 2;
@@ -125,7 +125,7 @@ TEST(Ripeness, AtOneGivesTheBytesOfTheDrawing) {
   EXPECT_EQ(bytes_of(folder / "drawn.ply"), bytes_of(folder / "one.ply"));
   EXPECT_NE(bytes_of(folder / "drawn.ply"), bytes_of(folder / "green.ply"));
 
-  // What ripened is in the surfaces: their file gives the same section.
+  // The surfaces have the ripened colours, so their file gives the same section.
   expect_done(
       run_pomona(with({"grow", "apple", "--ripeness", "0.4", "--sheets", "-o", "sheets.ply"}, coarse), folder.path()));
   expect_done(run_pomona(with({"cut", "sheets.ply", "--knife", "half", "--section", "-o", "again.ply"}, coarse),
@@ -178,7 +178,7 @@ TEST(Plate, IsDrawnInAnyStyleAndAnySize) {
   EXPECT_NE(bytes_of(folder / "plate.png"), bytes_of(folder / "stipple.png"));
 }
 
-/// PNG's pHYs: pixels per metre, twice, and that it is a metre.
+/// PNG's pHYs: pixels per metre in x and y, and the unit.
 TEST(Paper, HasTheSizeThatPicturesAndDrawingsSay) {
   const TemporaryFolder folder;
   const std::vector<std::string> words = {"cut",    "tomato",  "--knife", "half", "--section",
@@ -189,7 +189,7 @@ TEST(Paper, HasTheSizeThatPicturesAndDrawingsSay) {
   EXPECT_THAT(png, HasSubstr(std::string("pHYs\0\0\x27\x10\0\0\x27\x10\x01", 13)));
   EXPECT_THAT(bytes_of(folder / "x.svg"), HasSubstr("width=\"30mm\" height=\"20mm\" viewBox=\"0 0 300 200\""));
 
-  // Nobody asked: nothing is said, and pixels are the unit.
+  // Without --dpi there is no pHYs, and pixels are the unit.
   expect_done(run_pomona(
       with({"cut", "tomato", "--knife", "half", "--section", "--size", "30x20", "-o", "y.png", "-o", "y.svg"}, coarse),
       folder.path()));
@@ -251,7 +251,7 @@ double volume_of(const nlohmann::json& pieces) {
 
 class Peel : public ::testing::TestWithParam<const char*> {};
 
-/// Whole or in a strip, a peel is one piece, what it came off another, and both are closed and add up.
+/// Whole or in a strip, a peel is one piece and the rest another; both are closed and add up.
 TEST_P(Peel, ComesOffInOnePiece) {
   const double whole = volume_of(pieces_of(GetParam(), "half", "2"));
   for (const char* knife : {"peel:1.5mm", "peel:1.5mm,spiral=12mm"}) {
@@ -331,7 +331,7 @@ TEST(Pieces, WeighTheSameInTheListAndInTheGlb) {
     for (const char* key : {"volume", "density", "mass", "center", "inertia"})
       EXPECT_EQ(piece.at(key), extras.at(key)) << key;
 
-    // No axis has more inertia than the other two together.
+    // No axis has more inertia than the sum of the other two.
     EXPECT_NEAR(piece.at("mass").get<double>(), piece.at("density").get<double>() * piece.at("volume").get<double>(),
                 1e-12);
     const auto& inertia = piece.at("inertia");
@@ -340,27 +340,27 @@ TEST(Pieces, WeighTheSameInTheListAndInTheGlb) {
     EXPECT_NEAR(inertia[0][1].get<double>(), inertia[1][0].get<double>(), 1e-9 * x);
   }
 
-  // The stone stays whole in one half, and makes it denser than the template says of the rest; the other has flesh and
-  // skin alone.
+  // The stone stays whole in one half and makes it denser than the flesh; the other half has only flesh and skin.
   const double one = list[0].at("density"), other = list[1].at("density");
   EXPECT_GT(std::max(one, other), 1046);
   EXPECT_LT(std::min(one, other), 1041);
 }
 
-/// More variants than are made at once, a dish of its own, and pieces that are placed more than once.
+/// More variants than are made at once, a dish, and pieces that are placed more than once.
 const char* const small_scene =
     "format = 1\nname = \"small\"\nseed = 3\n"
     "[bowl]\nprofile = \"M 0 0 L 60 0 L 110 -50 L 106 -50 L 58 -4 L 0 -4\"\n"
     "[[pieces]]\nname = \"halves\"\ntemplate = \"cherry\"\nknives = [\"half\"]\ncount = 20\ntotal = 30\n"
     "[[pieces]]\nname = \"slices\"\ntemplate = \"radish\"\nknives = [\"slices:9mm\"]\ntake = 2\n";
 
-/// A .glb alone is written while the scene is made. Beside a file that needs the whole scene it is written at the end.
+/// A single .glb is written while the scene is made. Together with a file that needs the whole scene it is written
+/// last.
 TEST(Scenes, WrittenOnTheirWayAreTheSameBytesForAnyThreads) {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{}, {"--lod", "2", "--engine", "unity"}, {"--texture", "64", "--maps", "all"}}) {
     const TemporaryFolder folder;
     std::ofstream(folder / "small.toml") << small_scene;
-    std::ofstream(folder / "laid.toml") << "layout = \"whole.json\"\n" << small_scene;  // settled once is enough
+    std::ofstream(folder / "laid.toml") << "layout = \"whole.json\"\n" << small_scene;  // settles once, to save time
     const auto make = [&](const std::string& scene, const std::vector<std::string>& words) {
       const std::vector<std::string> how = {"scene", scene, "--detail", "0.1", "--quality", "draft", "--quiet"};
       expect_done(run_pomona(with(with(how, words), options), folder.path()));
@@ -377,7 +377,7 @@ TEST(Scenes, WrittenOnTheirWayAreTheSameBytesForAnyThreads) {
   }
 }
 
-/// What is on its way when a scene is refused leaves nothing behind, and what lay there stays.
+/// A scene that is refused leaves no incomplete output, and an existing file stays.
 TEST(Scenes, RefusedOnTheirWayLeaveNothingBehind) {
   const TemporaryFolder folder;
   std::ofstream(folder / "full.toml")
@@ -394,7 +394,7 @@ TEST(Scenes, RefusedOnTheirWayLeaveNothingBehind) {
   EXPECT_EQ(std::distance(begin(files), end(files)), 2);
 }
 
-/// Levels and textures are made once for all files that have them, whichever comes first.
+/// Levels and textures are made once for all files, in any order of outputs.
 TEST(Scenes, AreBakedOnceForAllTheirFiles) {
   const TemporaryFolder folder;
   std::ofstream(folder / "small.toml") << std::regex_replace(small_scene, std::regex("count = 20\ntotal = 30"), "");

@@ -1,4 +1,4 @@
-// Starts the real program, as a user would, and says how it ended.
+// Starts the real program and returns its result.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs pomona with these words in `folder`; standard output and error are caught.
+/// Runs pomona with these arguments in `folder`; captures standard output and error.
 Outcome run_pomona(const std::vector<std::string>& words, const std::filesystem::path& folder = ".");
 
 std::string bytes_of(const std::filesystem::path& file);

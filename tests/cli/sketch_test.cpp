@@ -1,4 +1,4 @@
-// pomona sketch: what it writes can be checked, grown and cut; the colours it takes are the picture's.
+// pomona sketch: its files can be checked, grown and cut; its colours are those of the picture.
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -213,7 +213,7 @@ const std::string plain_image = R"(<image x="20" y="10" width="100" height="50" 
 
 TEST_F(Sampled, AreThoseUnderTheLineFromTheBottomUp) {
   write(folder_ / "photo.png", gradient());
-  // Two pixels a unit. The line is drawn downwards, from pixel 40,20 to 120,80.
+  // Two pixels per unit. The line goes down, from pixel 40,20 to 120,80.
   draw(plain_image, R"(<path id="colours" d="M40,20 L80,50"/>)", R"({ sample = "#colours", stops = 3 })");
   EXPECT_EQ(run_pomona({"check", "fig.toml"}, folder_.path()).status, 65) << "not sampled yet";
   const std::string before = bytes_of(folder_ / "fig.toml");
@@ -221,14 +221,14 @@ TEST_F(Sampled, AreThoseUnderTheLineFromTheBottomUp) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   expect_colors({{120, 160, 40}, {80, 100, 40}, {40, 40, 40}});
 
-  // Nothing else has changed, and a second time nothing at all.
+  // Nothing else changes, and a second run changes nothing.
   std::string after = bytes_of(folder_ / "fig.toml");
   const std::size_t from = after.find(", along = ["), to = after.find("]]", from) + 2;
   EXPECT_EQ(after.substr(0, from) + after.substr(to), before);
   EXPECT_EQ(sample().status, 0);
   EXPECT_EQ(bytes_of(folder_ / "fig.toml"), after);
 
-  // From now on it needs no picture.
+  // The template no longer needs the picture.
   fs::remove(folder_ / "photo.png");
   EXPECT_EQ(run_pomona({"check", "fig.toml"}, folder_.path()).status, 0);
   const Outcome missing = sample();
@@ -239,7 +239,7 @@ TEST_F(Sampled, AreThoseUnderTheLineFromTheBottomUp) {
 
 TEST_F(Sampled, FollowThePicturesTransform) {
   write(folder_ / "photo.png", gradient());
-  // Turned by a quarter: the pixel u,v lies at x = 150 - v, y = 20 + u (one pixel a unit).
+  // Turned by a quarter: the pixel u,v is at x = 150 - v, y = 20 + u (one pixel per unit).
   draw(R"svg(<g transform="translate(150,20)"><image transform="rotate(90)" width="200" height="100" href="photo.png"/>
 </g>)svg",
        R"(<path id="colours" d="M110,140 L70,60"/>)", R"({ sample = "#colours", along = "#ffffff", stops = 2 })");
@@ -250,7 +250,8 @@ TEST_F(Sampled, FollowThePicturesTransform) {
 
 TEST_F(Sampled, KeepThePicturesShapeInItsBox) {
   write(folder_ / "photo.png", gradient());
-  // In a square of 100 the picture fills the middle half: pixel 40,50 lies at 40,60. The old stops go, however written.
+  // In a square of 100 the picture fills the middle half: pixel 40,50 is at 40,60. Old stops are removed in any
+  // notation.
   draw(R"(<image x="20" y="10" width="100" height="100" href="photo.png"/>)",
        R"(<path id="colours" d="M80,60 L40,60"/>)",
        "{ sample = \"#colours\", stops = 2, along = [ # ] in a comment\n [0, \"#111111\"],\n [1, \"#222222\"] ] }");
@@ -300,7 +301,7 @@ TEST_F(Sampled, SayWhatIsWrong) {
   write(folder_ / "photo.png", gradient());
   write(folder_ / "broken.png", gradient().substr(0, 300));
   std::string vast = gradient();
-  vast[16] = vast[20] = 1;  // 16 million pixels a side
+  vast[16] = vast[20] = 1;  // 16 million pixels along each side
   write(folder_ / "vast.png", vast);
   write(folder_ / "photo.jpg", "\xff\xd8\xff\xe0 JFIF");
   const std::string line = R"(<path id="colours" d="M40,20 L80,50"/>)", color = R"({ sample = "#colours" })";

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Draws pieces and fruit, and measures the pictures: what is on them fills four fifths of their width or their height, with
-its shadow, which no edge of the picture cuts; and it has a shadow at all.
+"""Draws pieces and fruit, and measures the pictures: with the shadow they fill four fifths of the width or the height, the
+shadow exists, and no edge of the picture cuts it.
 
     staging_test.py PROGRAM
 """
@@ -58,7 +58,7 @@ def faults(rows):
     at_edge = [rows[y][x] for x, y in on if x in (0, WIDTH - 1) or y in (0, HEIGHT - 1)]
     if any(abs(value - paper) > 2 * FAINT for value in at_edge):
         yield "is cut off by an edge of the picture"
-    # Beside what is drawn in ink and colour, the table is darker than paper, and not dark.
+    # Around ink and colour, the table is darker than paper, but not dark.
     shadow = sum(1 for x, y in on if FAINT < paper - rows[y][x] < DARK)
     if shadow < 0.02 * WIDTH * HEIGHT:
         yield "has no shadow"

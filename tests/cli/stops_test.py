@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Stops `pomona grow` while it writes one file, and five in two folders, that replace others: by SIGKILL at every k-th call that
-changes a folder, by SIGKILL, SIGTERM and SIGINT at random moments, and by calls that fail.
+"""Stops `pomona grow` while it replaces one file, and five in two folders: by SIGKILL at every k-th call that changes a folder, by
+SIGKILL, SIGTERM and SIGINT at random moments, and by calls that fail.
 
     stops_test.py PROGRAM SHIM STOPS    STOPS: so many kills and signals in all
 
@@ -53,7 +53,7 @@ class Stops:
                          POMONA_FAIL_COUNT=count, POMONA_FAIL_ONCE=int(once))
 
     def calls(self, call):
-        """How many there are in a run that nothing disturbs."""
+        """The number of calls in an undisturbed run."""
         self.put_old()
         count = self.folder / "count"
         self.expect(self.failing(call, 0, "0", count), 0, "counting")
@@ -71,7 +71,7 @@ class Stops:
             (self.out / name).write_bytes(content)
 
     def which(self, what):
-        """Whether the set is old, new or mixed; every file of it is whole."""
+        """Whether the outputs are old, new or mixed; every file is whole."""
         found = set()
         for name in self.outputs:
             content = (self.out / name).read_bytes() if (self.out / name).exists() else None
@@ -90,7 +90,7 @@ class Stops:
             sys.exit(f"{what}: left behind {sorted(others)}")
 
     def next_runs(self, what):
-        """Other files are written into both folders, in either order: already the first run settles the set."""
+        """Other files are written into both folders, in either order: the first run already finishes the transaction."""
         for folder in self.random.sample(["here", "there"], 2):
             result = pomona(PROGRAM, "grow", "radish", "--detail", "0.1", "--quiet", "-o", f"out/{folder}/next.ply", folder=self.folder)
             self.expect(result, 0, f"the run after {what}")
@@ -115,7 +115,7 @@ class Stops:
             self.put_old()
             which = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)[n % 3]
             run = subprocess.Popen([PROGRAM, *self.words(2)], cwd=self.folder)
-            # Half of them as soon as something is being written.
+            # Half of them as soon as writing starts.
             if n % 2:
                 while run.poll() is None and not any(self.out.glob("*/.pomona-*")):
                     time.sleep(0.0002)

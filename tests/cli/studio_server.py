@@ -1,4 +1,4 @@
-"""`pomona studio`, started as a user would: its address, and what it answers."""
+"""`pomona studio`, started as a user would: its address and its replies."""
 
 import http.client
 import json

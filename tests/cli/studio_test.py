@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The studio's server, without a browser: who may talk to it, what it makes of edits, and what survives.
+"""The studio's server, without a browser: access, edits, and recovery.
 
     studio_test.py PROGRAM TEMPLATES
 """
@@ -38,7 +38,7 @@ class WithAFruit(unittest.TestCase):
         return studio
 
     def wider(self, studio):
-        """The texts of a larger cherry, and the version that they follow on."""
+        """The texts of a larger cherry, and the version before them."""
         document = studio.json("/api/document")
         svg = document["svg"].replace('label="scale 24mm"', 'label="scale 25mm"')
         self.assertNotEqual(svg, document["svg"])
@@ -146,7 +146,7 @@ class Strangers(WithAFruit):
                 time.sleep(0.001)
 
     def most_memory(self):
-        """Of the studio so far, bytes."""
+        """Peak memory of the studio so far, bytes."""
         status = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
         return 1024 * int(next(line for line in status.splitlines() if line.startswith("VmHWM")).split()[1])
 
@@ -191,7 +191,7 @@ class Strangers(WithAFruit):
 
     def test_the_page_asks_nobody_else(self):
         page = self.server.ask("/?token=" + self.server.token)[1].decode()
-        # Names of XML's vocabularies are no addresses that anything is fetched from.
+        # Names of XML vocabularies are not fetched.
         addresses = set(__import__("re").findall(r"https?://[\w.]+", page))
         self.assertLessEqual(addresses, {"http://www.w3.org"})
 
@@ -357,7 +357,7 @@ class Edits(WithAFruit):
 
 
 def ply_area(file):
-    """Of all triangles of a binary section file, square metres."""
+    """The area of all triangles of a binary section file, square metres."""
     import struct
     data = file.read_bytes()
     end = data.index(b"end_header\n") + len(b"end_header\n")

@@ -46,7 +46,7 @@ TEST(Aov, GoesIntoItsFolderBesideThePicture) {
   ASSERT_EQ(all.at("annotations").size(), 2u);
   EXPECT_EQ(all.at("fruits").size(), 1u) << "of one cherry";
 
-  // Neither the truth's wish nor the number of threads changes anything; a second run into the folder replaces it.
+  // Neither --aov nor the number of threads changes the picture; a second run replaces the folder's files.
   ASSERT_EQ(cut_cherry({"-o", "y.png"}, folder.path()).status, 0);
   EXPECT_EQ(bytes_of(folder / "x.png"), bytes_of(folder / "y.png"));
   fs::copy(folder / "truth", folder / "before");

@@ -1,4 +1,4 @@
-// What a command's other threads throw reaches no handler of the command's own.
+// Exceptions of a command's other threads, which its own handlers do not catch.
 #include <array>
 #include <csignal>
 #include <functional>

@@ -1,4 +1,4 @@
-// What users mistype, and what the program answers.
+// Wrong command lines and the program's answers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -341,7 +341,7 @@ TEST(Outputs, MayHaveNamesThatAreNoUtf8) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("\"bytes\""));
 
-  // What is written of a template whose own name is none: assets, pages, lists of pieces, maps, ground truth.
+  // All outputs of a template whose name is no UTF-8: assets, pages, lists of pieces, maps, ground truth.
   const std::filesystem::path templates = POMONA_SOURCE_DIR "/templates";
   std::filesystem::copy_file(templates / "egg.toml", folder.path() / "e\xff.toml");
   const std::vector<std::vector<std::string>> commands{

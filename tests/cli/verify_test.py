@@ -1,4 +1,4 @@
-"""`pomona verify` sees what differs from its table, and says at which stage.
+"""`pomona verify` finds differences from its table, and names the stage.
 
     verify_test.py PROGRAM SOURCE
 """

@@ -19,7 +19,7 @@ MOST = 50  # seconds
 
 
 def heard(descriptor, wanted, process):
-    """All that is read from the descriptor until a text comes that matches."""
+    """Everything read from the descriptor until a text matches."""
     text, end = "", time.monotonic() + MOST
     while not re.search(wanted, text):
         if time.monotonic() > end or (process.poll() is not None and not select.select([descriptor], [], [], 0)[0]):

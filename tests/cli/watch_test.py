@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""--watch: outputs are made anew when a file that was read changes, whichever it is; mistakes are told, and watching goes on.
+"""--watch: outputs are made again when any input file changes; errors are printed, and watching goes on.
 
     watch_test.py PROGRAM TEMPLATES
 """
@@ -37,7 +37,7 @@ def main():
             until("the first round", lambda: rounds() == 1)
             first = out.read_bytes()
 
-            # The sketch, which the line does not name: by two writes that are one change.
+            # The sketch, which the command line does not name: two writes that are one change.
             drawn = svg.read_text(encoding="utf-8")
             scale = drawn.index('label="scale ') + len('label="scale ')
             svg.write_text(drawn[:len(drawn) // 2], encoding="utf-8")
@@ -45,7 +45,7 @@ def main():
             until("the sketch has changed", lambda: rounds() == 2)
             assert out.read_bytes() != first, "the sketch is not read anew"
 
-            # A mistake is told; the outputs stay as they are.
+            # An error is printed; the outputs stay.
             made = out.read_bytes()
             template = toml.read_text(encoding="utf-8")
             toml.write_text(template + "colour = 1\n", encoding="utf-8")

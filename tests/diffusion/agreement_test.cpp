@@ -1,4 +1,4 @@
-// Three ways to true diffusion that share no step: walks on spheres, a grid, and tetrahedra.
+// Three independent methods of true diffusion agree: walks on spheres, a grid, and tetrahedra.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -35,7 +35,7 @@ class Agreement {
         points_(std::move(points)),
         walked_(WalkOnSpheres(surfaces_, {.standard_error = standard_error}).at(points_)) {}
 
-  /// Walks state their own error; only the error of a round shape's facets is allowed besides.
+  /// Walks state their own error. In addition, only the error of a round shape's facets is allowed.
   void expect_walks_near(const std::function<glm::dvec3(const glm::dvec3&)>& truth, double facets = 0) const {
     double squares = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -57,8 +57,8 @@ class Agreement {
     expect_near(poisson.at(points_), allowed, "tetrahedra");
   }
 
-  /// Half as large tetrahedra have a third of the error (tetrahedral_poisson_test), so the finer ones err by less than
-  /// the difference of both.
+  /// Tetrahedra of half the size have a third of the error (tetrahedral_poisson_test), so the error of the finer ones
+  /// is less than the difference of both.
   void expect_tetrahedra(double cell_size) const {
     const bench::TetrahedralPoisson coarse(surfaces_, {.cell_size = 2 * cell_size});
     const bench::TetrahedralPoisson fine(surfaces_, {.cell_size = cell_size});
@@ -103,7 +103,7 @@ TEST(Agreement, InAShell) {
 TEST(Agreement, InATiltedBoxWithAnOpenSheet) {
   DiffusionSurfaces carrier;
   carrier.position = fields::points_in_linear_scene();
-  // A turned shape has the same field: at a turned point it is that of the point before the turn.
+  // The field turns with the shape: its value at a turned point is that of the point before the turn.
   const std::vector<glm::vec3> straight = carrier.position, points = shapes::tilted(std::move(carrier)).position;
   const Agreement box(shapes::tilted(fields::linear_scene()), points);
   box.expect_walks_near([&](const glm::dvec3& p) {

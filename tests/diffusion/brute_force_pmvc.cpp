@@ -68,7 +68,7 @@ PmvcValue brute_force_pmvc(const DiffusionSurfaces& surfaces, const glm::dvec3& 
     direction[(face / 2 + 1) % 3] = u;
     direction[(face / 2 + 2) % 3] = v;
 
-    // What it sees.
+    // The first surface in this direction.
     const Hit hit = first_hit(surfaces, point, direction / length);
     if (std::isinf(hit.distance)) continue;
     const double weight = (is_uniform ? h * h : angle) / (is_planar ? hit.distance / length : hit.distance);

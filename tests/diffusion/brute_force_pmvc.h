@@ -1,5 +1,5 @@
-// Positive mean values in the simplest way, to compare the fast ones with; and with known mistakes, to see whether
-// tests notice them.
+// The simplest computation of positive mean values, to compare the fast ones with. It can make known mistakes, to check
+// that tests notice them.
 #pragma once
 
 #include "generator/diffusion/pmvc_value.h"

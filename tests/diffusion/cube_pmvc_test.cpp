@@ -120,7 +120,7 @@ TEST(CubePmvc, AgreesWithBruteForce) {
   }
 }
 
-/// Two boxes in one place, seen from their middle: all depths are 1 to the bit, however the boxes are divided.
+/// Two boxes in one place, seen from their middle: all depths are exactly 1, however the boxes are divided.
 TEST(CubePmvc, EqualDepthsGoToTheSmallerTriangleIndex) {
   shapes::Paint first, second;
   first.front = first.back = Color(1);
@@ -151,7 +151,7 @@ TEST(CubePmvc, QuarterTurnsChangeNothing) {
 }
 
 TEST(CubePmvc, AnyTurnChangesLittleAt32Texels) {
-  // Points are turned, too, as vertices without triangles.
+  // The points become vertices without triangles, so that they are turned, too.
   DiffusionSurfaces fruit = shapes::seeded_fruit();
   const std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(100);
   fruit.position.insert(fruit.position.end(), points.begin(), points.end());

@@ -33,7 +33,7 @@ std::vector<Color> as_grey(DiffusionSurfaces surfaces, const std::vector<glm::ve
 
 TEST(DiffusedValues, AreWhatColoursWouldBeToTheBit) {
   const DiffusionSurfaces fruit = shapes::seeded_fruit();
-  // Points inside, on a surface, and where the nearest thing is the outside.
+  // Points inside, on a surface, and where the outside of the skin is nearest.
   std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(200);
   points.push_back(fruit.position[fruit.triangle.front().x]);
   points.emplace_back(10, 10, 10);

@@ -144,7 +144,7 @@ TEST(WalkDraws, ReturnsToASphereByPoissonsKernel) {
   Draws draws(stream, 0);
   constexpr int count = 20000;
   for (const double distance : {2.0001, 2.2, 4.0, 2e9}) {
-    // The mean of a polynomial over the places of return is its harmonic extension, seen from the mirrored point.
+    // The mean of a polynomial over the places of return is the value of its harmonic extension at the mirrored point.
     const glm::dvec3 axis = glm::normalize(glm::dvec3(1, -2, 3));
     const double mirrored = 2 / distance;
     double first = 0, second = 0;
@@ -175,7 +175,8 @@ TEST(SideNextTo, IsRightAroundSpikes) {
   const EmptyBalls balls = balls_of(ball);
   const std::vector<glm::dvec3> around = random_places(200);
   for (std::size_t v = 0; v < ball.vertex_count(); ++v) {
-    // In each direction the surface has one radius, so the radius of its triangle tells the side.
+    // The surface has one radius in each direction, so a place's side follows from the radius of the triangle in its
+    // direction.
     const glm::dvec3 corner = balls.frames().normalized(glm::dvec3(ball.position[v]));
     for (int i = 0; i < 20; ++i) {
       const glm::dvec3 place = corner + 1e-4 * around[(v + static_cast<std::size_t>(i) * 7) % around.size()];
@@ -195,8 +196,8 @@ TEST(SideNextTo, IsRightAroundSpikes) {
   }
 }
 
-/// Three triangles with one corner in common. The first is faced most squarely, the second hardly; the third stands in
-/// the plane of the point and of the way to the first: a sheet seen edge-on hides nothing.
+/// Three triangles with a common corner. The point sees the first one most from the front, the second one hardly. The
+/// third one lies in a plane with the point and the way to the first: a sheet seen edge-on hides nothing.
 TEST(SideNextTo, IsNotHiddenBehindASheetSeenEdgeOn) {
   const std::vector<glm::vec3> position{{0, 0, 0},           {-1, 1, 0.5f}, {-1, 1, -0.5f}, {-1, -0.2f, -0.25f},
                                         {-1, -0.2f, 0.375f}, {-1, -1, 0},   {-0.5f, -1, 0}};

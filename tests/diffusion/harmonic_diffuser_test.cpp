@@ -70,7 +70,7 @@ TEST(HarmonicDiffuser, IsExactForLinearColours) {
   }
 }
 
-/// How strong a white ball of radius `radius` around `place` shows in a black unit sphere, against what is right.
+/// The strength of a white ball of radius `radius` around `place` in a black unit sphere, relative to the exact one.
 double strength_of_ball(double radius, const glm::dvec3& place, const HarmonicOptions& options) {
   shapes::Paint white = evenly(1);
   const DiffusionSurfaces scene =
@@ -117,7 +117,7 @@ TEST(HarmonicDiffuser, LetsNoSeedPop) {
 }
 
 TEST(HarmonicDiffuser, NeverLeaks) {
-  // White inside, black outside: whatever leaks shows. The box's faces lie on nodes at shift 0.
+  // White inside, black outside, so that a leak shows. The box's faces lie on nodes at shift 0.
   shapes::Paint paint = evenly(1);
   paint.front = Color(0);
   const std::vector<DiffusionSurfaces> scenes = {
@@ -150,8 +150,8 @@ TEST(HarmonicDiffuser, DoesNotDependOnThreads) {
 }
 
 TEST(HarmonicDiffuser, CountsEscapedWalksAsMisses) {
-  // One open sheet of one colour gives that colour everywhere; two sides each give theirs next to them, and their mean
-  // far away in the sheet's plane.
+  // An open sheet of one colour gives that colour everywhere. Two sides of different colours give each its colour
+  // nearby, and their mean far away in the sheet's plane.
   const DiffusionSurfaces plain = shapes::tilted(shapes::open_sheet(1, 0, 4, evenly(0.7f)));
   for (const Color& color :
        make_harmonic_diffuser({.threads = {2}, .nodes = 24})->diffuse(plain, points_in_shell(0, 2, 200)).color) {
@@ -167,7 +167,8 @@ TEST(HarmonicDiffuser, CountsEscapedWalksAsMisses) {
     const auto colors = make_harmonic_diffuser(options)->diffuse(two_sided, points).color;
     EXPECT_GT(colors[0].r, 0.9);
     EXPECT_LT(colors[1].r, 0.1);
-    // Nodes on the sheet belong to its front: beyond a free rim, where the field is like a square root, that shows.
+    // Nodes on the sheet belong to its front. This causes an error beyond a free rim, where the field is like a square
+    // root.
     EXPECT_NEAR(colors[2].r, 0.5, shift == 0 ? 0.1 : 0.03);
   }
 }
@@ -219,7 +220,7 @@ TEST(HarmonicDiffuser, RefusesOrIgnoresWhatIsNoSurface) {
   broken.position[3].y = NAN;
   EXPECT_THROW(make_harmonic_diffuser()->field(broken), Error);
 
-  // Some degenerate triangles do no harm, nor does a flat model.
+  // Neither degenerate triangles nor a flat model do any harm.
   ball.triangle[0].y = ball.triangle[0].x;
   const auto points = points_in_shell(0, 0.5, 20);
   for (const Color& c : make_harmonic_diffuser({.threads = {2}, .nodes = 12})->diffuse(ball, points).color)

@@ -1,4 +1,4 @@
-// Which points are looked at along more lines: those where colours scatter, and no others.
+// Only points whose colours scatter get more lines.
 #include "generator/diffusion/pmvc/line_pmvc.h"
 
 #include <vector>
@@ -13,7 +13,8 @@
 namespace pomona {
 namespace {
 
-/// Of points away from the middle, from where lines are of all lengths: weights scatter whether colours do or not.
+/// Values at points away from the middle, where lines have all lengths, so that weights scatter whether colours do or
+/// not.
 std::vector<PmvcValue> off_the_middle(const DiffusionSurfaces& surfaces, const LinePlan& plan) {
   const std::vector<glm::vec3> points{{0.5f, 0.2f, 0.1f}, {-0.1f, 0.7f, 0.3f}};
   return line_pmvc(surfaces, make_surface_tree(surfaces), points, plan, {1});
@@ -29,7 +30,7 @@ LinePlan with_max_scatter(double max) {
   return {.lines = relaxed_draft_lines(), .more = relaxed_final_lines(), .max_scatter = max};
 }
 
-/// All of a sphere is as far from its middle as it is wide: all directions, 4 pi, over that distance.
+/// From the middle of a sphere the distance is its radius in all directions, so the weight is 4 pi / radius.
 TEST(LinePmvc, WeightsAreAllDirectionsOverTheirDistance) {
   for (const double radius : {0.01, 0.5, 1.0, 3.0}) {
     const DiffusionSurfaces ball = shapes::sphere(radius, 12);

@@ -56,7 +56,7 @@ TEST(NearestSide, AgreesWithTryingAllTriangles) {
     double min = 1;
     for (std::uint32_t t = 0; t < fruit.triangle_count(); ++t) {
       const auto [a, b, c] = corners(fruit, t);
-      // The nearest of many places on the triangle is no nearer than the truth, and almost as near.
+      // The nearest of many places on the triangle is not nearer than the exact one, and almost as near.
       for (int i = 0; i <= 8; ++i) {
         for (int j = 0; i + j <= 8; ++j) {
           const glm::dvec3 q =

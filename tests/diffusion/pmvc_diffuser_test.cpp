@@ -1,4 +1,5 @@
-// What holds at every quality: bits, hull, parts, surfaces, misses, and inputs nobody should send.
+// Requirements at every quality: reproducible bits, colours within the hull, parts, surfaces, points that see nothing,
+// and bad input.
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ TEST(PmvcDiffuser, GivesTheSameBitsOnEveryKindOfProcessor) {
   const DiffusionSurfaces fruit = shapes::seeded_fruit();
   const std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(100);
   const DiffusedColors best = diffuse(Quality::draft, fruit, points);
-  // The least first: plain x86-64 is what every other set of instructions is laid upon.
+  // The smallest instruction set first: all others extend plain x86-64.
   for (const std::int64_t target : {HWY_EMU128, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
     hwy::SetSupportedTargetsForTest(0);
     if (target != HWY_EMU128 && (hwy::SupportedTargets() & target) == 0) continue;

@@ -1,4 +1,4 @@
-// Draft and final: the errors they promise, and the oracles of the reference within them.
+// Draft and final keep the errors that they state, also against the exact values that the reference is tested with.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(PmvcError, TurningTheSceneStaysWithinIt) {
   turned_fruit.position.assign(turned.position.begin(),
                                turned.position.end() - static_cast<std::ptrdiff_t>(points.size()));
 
-  // The promise holds however the scene lies: against the truth of the scene as it was.
+  // The error bound holds for any orientation: the turned scene is compared with the values of the original one.
   const std::vector<Color> truth = diffused(Quality::reference, fruit, points);
   const std::vector<Color> draft = diffused(Quality::draft, turned_fruit, turned_points);
   const std::vector<Color> fine = diffused(Quality::final, turned_fruit, turned_points);
@@ -83,7 +83,7 @@ TEST(PmvcError, TurningTheSceneStaysWithinIt) {
   EXPECT_LE(fields::errors_of(fine, truth).p95, 1);
   EXPECT_LE(fields::errors_of(fine, truth).max, 2);
 
-  // So two positions differ by no more than two independent errors.
+  // So results at two orientations differ by no more than two independent errors.
   EXPECT_LE(fields::errors_of(draft, diffused(Quality::draft, fruit, points)).rms, 1.4);
   const fields::Errors between = fields::errors_of(fine, diffused(Quality::final, fruit, points));
   EXPECT_LE(between.rms, 0.5);

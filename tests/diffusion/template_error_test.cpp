@@ -1,4 +1,4 @@
-// Draft and final keep their promises on real fruits: a sample of what bench/diffusion_errors measures.
+// Draft and final keep the stated errors on real fruits: a sample of what bench/diffusion_errors measures.
 #include <algorithm>
 #include <string>
 #include <vector>

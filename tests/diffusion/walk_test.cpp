@@ -63,14 +63,14 @@ TEST(Walk, KeepsLinearFieldsInATiltedBoxWithAnOpenSheet) {
   const WalkResult result = walked(scene.surfaces, scene.points, 0.5);
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      // A channel may vary more than the three do on average.
+      // One channel may vary more than the average of the three.
       EXPECT_NEAR(result.color[i][k], scene.truth[i][k], 4 * std::sqrt(3.0) * stated(result, i));
     }
   }
 }
 
 TEST(Walk, StatesItsErrorHonestly) {
-  // Squares of errors over squares of what is stated: about one on average, over points and seeds.
+  // The squared errors divided by the squared stated errors: about one on average over points and seeds.
   const TurnedLinearScene scene;
   double sum = 0, count = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -86,7 +86,7 @@ TEST(Walk, StatesItsErrorHonestly) {
   EXPECT_LT(sum / count, 1.2);
 }
 
-/// The 48 places that a sphere made of an octahedron cannot tell from one another.
+/// The 48 places that are equivalent by the symmetry of a sphere made from an octahedron.
 std::vector<glm::vec3> mirrored(const glm::vec3& p) {
   std::vector<glm::vec3> all;
   for (int turn = 0; turn < 6; ++turn) {
@@ -100,7 +100,7 @@ std::vector<glm::vec3> mirrored(const glm::vec3& p) {
 }
 
 TEST(Walk, IsNotBiasedByWhenItStops) {
-  // Near a sphere few walks get away, and those that do weigh much. A rule that stops because nobody did yet would
+  // Near a sphere few walks get away, and these weigh much. A rule that stops because no walk has got away yet would
   // show in the mean of many estimates.
   const DiffusionSurfaces scene = shapes::nested_spheres(1, 0.4, 6, plain(0, 0), plain(1, 1));
   const std::vector<glm::vec3> points = mirrored({0.3f, 0.2f, 0.19f});
@@ -118,7 +118,7 @@ TEST(Walk, IsNotBiasedByWhenItStops) {
 }
 
 TEST(Walk, ThatEscapesCountsAsAMiss) {
-  // Outside a ball painted linearly, harmonic functions fall off with distance, and so do the walks that hit.
+  // Outside a ball with linear colours, harmonic functions fall with distance, and so does the share of walks that hit.
   const DiffusionSurfaces ball = fields::painted_with(
       shapes::sphere(0.5, 24), [](const glm::dvec3& p) { return glm::dvec3(0.5 + 0.8 * p.y, 0.25, 0.5); });
   for (const float distance : {0.6f, 1.0f, 3.0f}) {
@@ -126,7 +126,7 @@ TEST(Walk, ThatEscapesCountsAsAMiss) {
     const double share = 0.5 / distance, walks = result.walks[0];
     EXPECT_NEAR(result.color[0].x, 0.5 + 0.4 * share, 4 * std::sqrt(3.0) * stated(result, 0));
     EXPECT_NEAR(result.color[0].y, 0.25, 1e-6);
-    // The return to the sphere around all is given for a point that starts outside it.
+    // For a point outside the sphere around everything, the probability of return to it is known.
     const double met = std::min(1.0, distance > 0.51 ? 0.5 / 0.51 : share);
     EXPECT_NEAR(result.misses[0] / walks, 1 - met, 4 * std::sqrt(met * (1 - met) / walks) + 0.002);
   }
@@ -222,7 +222,7 @@ TEST(WalkDiffuser, OnASurfaceTakesItsColour) {
 }
 
 TEST(WalkDiffuser, WhereNothingIsMetTheNearestSideCounts) {
-  // The single walk that is allowed here does not meet a speck far away.
+  // Only one walk is allowed here, and it does not meet a speck far away.
   DiffusionSurfaces specks = shapes::moved(shapes::sphere(1e-3, 1, plain(0.25f, 0)), {1000, 0, 0});
   specks = joined(specks, shapes::moved(shapes::sphere(1e-3, 1, plain(0.75f, 0)), {-1000, 0, 0}));
   const WalkResult result = WalkOnSpheres(specks, {.max_walks = 1}).at(std::vector<glm::vec3>{{100, 0, 0}});

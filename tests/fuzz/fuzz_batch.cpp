@@ -1,4 +1,4 @@
-// A batch file. No file beside it can be found.
+// A batch file; the files that it names do not exist.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
-// A mesh as binary glTF. Header and chunks state their lengths, which few mutations leave right: after a mutation they
-// are set right, but for one input in eight, so that what lies behind them is reached.
+// A mesh as binary glTF. Header and chunks state their lengths, which most mutations make wrong. Seven inputs in eight
+// are corrected after the mutation, so that the code behind the lengths is reached.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,14 +24,14 @@ std::string word(std::size_t value) {
   return bytes;
 }
 
-/// Padded to words, as glTF wants.
+/// A chunk padded to words, as glTF requires.
 std::string chunk(std::string_view kind, std::string_view bytes, char padding) {
   std::string padded(bytes);
   while (padded.size() % 4 != 0) padded += padding;
   return word(padded.size()).append(kind) + padded;
 }
 
-/// What lies in front of the kind BIN and its length is JSON; all that lies behind, bytes.
+/// Sets the lengths: JSON up to the kind BIN and its length, bytes after it.
 std::string with_lengths(std::string_view bytes) {
   if (bytes.size() < head + chunk_head) return std::string(bytes);
   const std::size_t kind = bytes.find(binary, head + chunk_head + 4);

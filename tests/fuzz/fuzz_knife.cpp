@@ -1,4 +1,4 @@
-// A knife as the command line and scenes name it.
+// A knife in the notation of the command line and of scenes.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// Path data, as SVG and templates hold it.
+// Path data of SVG and templates.
 #include <cstddef>
 #include <cstdint>
 #include <string>

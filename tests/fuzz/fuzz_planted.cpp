@@ -1,5 +1,5 @@
-// A reader with a fault: behind four letters that the fuzzer has to find one after the other it reads past the end of
-// what it was given. scripts/fuzz.py must say so; tests/fuzz/fuzz_test.py asks.
+// A reader with a planted fault: after four letters, which the fuzzer must find one by one, it reads past the end of
+// its input. scripts/fuzz.py must report it; tests/fuzz/fuzz_test.py checks that.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

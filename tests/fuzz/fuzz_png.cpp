@@ -1,5 +1,5 @@
-// A picture. Each chunk ends with a checksum, which no mutation hits: they are set right after the mutation, but for
-// one input in eight, so that what lies behind them is reached.
+// A picture. Each chunk ends with a checksum, which mutations make wrong. Seven inputs in eight are corrected after the
+// mutation, so that the code behind the checksums is reached.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -52,7 +52,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   return pomona::fuzz::told([&] {
-    // What is drawn over it wants its opacity; what is compared does not.
+    // Half of the inputs go to each reader: without and with opacity.
     size % 2 == 0 ? static_cast<void>(pomona::read_png(bytes, "fuzz.png"))
                   : static_cast<void>(pomona::read_transparent_png(bytes, "fuzz.png"));
   });

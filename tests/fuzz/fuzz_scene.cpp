@@ -1,4 +1,4 @@
-// A scene file. No file beside it can be found.
+// A scene file; the files that it names do not exist.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// A sketch: an SVG, its views, and every curve that it names.
+// A sketch: an SVG, its views, and all its named curves.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-/// Whatever asks a sketch for something may be told that it is wrong.
+/// Calls `ask`, which may throw that the sketch is wrong.
 template <typename Ask>
 void ask(const Ask& asked) {
   try {
@@ -23,7 +23,7 @@ void ask(const Ask& asked) {
   }
 }
 
-/// All that templates ask for, of the first names.
+/// Reads all that templates can read, for the first names.
 void ask_all(const pomona::Sketch& sketch) {
   using pomona::SketchView;
   std::vector<std::string> names;

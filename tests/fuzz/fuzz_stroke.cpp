@@ -1,4 +1,4 @@
-// A knife's path out of an SVG: a stroke, or a profile to revolve.
+// A knife's path in an SVG: a stroke, or a profile to revolve.
 #include <cstddef>
 #include <cstdint>
 #include <string>

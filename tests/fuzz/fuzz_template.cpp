@@ -1,4 +1,4 @@
-// A template: TOML, curves, ramps, grains, knives of paint. No file beside it can be found.
+// A template: TOML, curves, ramps, grains, coats; the files that it names do not exist.
 #include <cstddef>
 #include <cstdint>
 #include <string>

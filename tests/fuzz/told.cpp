@@ -14,7 +14,7 @@ namespace {
   std::abort();
 }
 
-/// The whole file is a place where one of its files is missing.
+/// True if the diagnostic has a place; for a missing file the file itself is enough.
 bool has_place(const Diagnostic& diagnostic, ExitStatus status) {
   const SourcePlace& place = diagnostic.place;
   return !place.file.empty() && (place.line > 0 || !place.element.empty() || status == ExitStatus::input_missing);

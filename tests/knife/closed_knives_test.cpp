@@ -30,8 +30,8 @@ DiffusionSurfaces as_surfaces(const ClosedSurface& solid) {
   return shapes::painted(std::move(position), solid.triangle, {});
 }
 
-/// Expects a surface that is closed, faces outwards and does not cross itself; returns how thin its thinnest triangle
-/// is.
+/// Expects a surface that is closed, faces outwards and does not cross itself. Returns the height of its thinnest
+/// triangle relative to the longest edge.
 double expect_sound(const ClosedSurface& surface) {
   EXPECT_TRUE(is_closed(surface));
   EXPECT_GT(volume_of(surface), 0);
@@ -66,7 +66,7 @@ TEST(ClosedKnives, ABallIsABallWhereTheFruitIsSeen) {
 }
 
 TEST(ClosedKnives, ABallIsWhereTheLineToTheAxisMeetsTheSkin) {
-  // Off the axis the line enters the ball behind its foremost place; beside it there is no skin to meet.
+  // Off the axis the line meets the ball behind its foremost place; beside the ball it meets no skin.
   for (const double aside : {0.0, 0.01, 0.02, 0.03}) {
     const DiffusionSurfaces fruit = shapes::moved(ball_fruit(), {aside, 0, 0.005});
     const double depth = std::sqrt(0.035 * 0.035 - aside * aside);
@@ -119,12 +119,12 @@ TEST(ClosedKnives, ABiteIsWiderThanHighAndNotOutOfShape) {
   EXPECT_NEAR(bounds.size().y, 0.8 * 0.04, 3e-3);
   EXPECT_NEAR(bounds.low.z, 0.035 - 0.5 * 0.8 * 0.04, 2e-3) << "deep";
   EXPECT_EQ(bite.point, solid_of("bite:40mm").point) << "the same width has the same teeth";
-  expect_sound(solid_of("bite:30mm,at=0,7cm,0"));  // from the top, where no direction leads towards the axis
+  expect_sound(solid_of("bite:30mm,at=0,7cm,0"));  // from the top, where no direction points towards the axis
   expect_sound(solid_of("bite:4mm"));
 }
 
-/// Going around the rim, one passes from groove to groove: each tooth comes out farther than the edges beside it. The
-/// teeth differ, so no turn of the rim onto itself fits.
+/// The rim is a row of grooves: each tooth reaches farther than the edges beside it. The teeth differ, so no turn maps
+/// the rim onto itself.
 TEST(ClosedKnives, ABiteHasTheMarksOfUnequalTeeth) {
   const std::vector<double> rim = rim_of(solid_of("bite:45mm"), {0, 0.035, 0.035});
   ASSERT_GT(rim.size(), 100u);
@@ -263,7 +263,7 @@ DiffusionSurfaces ball_with_stem() {
   return joined(ball_fruit(), shapes::box({-0.002, 0.06, -0.002}, {0.002, 0.09, 0.002}, 2, shapes::skin_paint()));
 }
 
-/// Parts that stick out far stay, with a little skin around them; small ones are peeled off.
+/// Parts that stick out far are kept, with a little skin around them; small ones are peeled off.
 TEST(Peel, LeavesTheStem) {
   const DiffusionSurfaces seed = shapes::box({0.034, 0.034, -0.001}, {0.036, 0.036, 0.001}, 1, shapes::skin_paint());
   const ClosedSurface inner = solid_of("peel:2mm", joined(ball_with_stem(), seed));
@@ -278,7 +278,7 @@ TEST(Peel, InOneStripHasARidgeBetweenItsTurns) {
   const ClosedSurface plain = solid_of("peel:2mm"), ridged = solid_of("peel:2mm,spiral=15mm");
   expect_sound(ridged);
 
-  // The ridge stands out of the skin, and is as long as the outline has turns.
+  // The ridge is outside the skin along all turns of the strip.
   double out = 0;
   for (const glm::dvec3& p : ridged.point) out = std::max(out, glm::distance(p, {0, 0.035, 0}));
   EXPECT_GT(out, 0.0365);

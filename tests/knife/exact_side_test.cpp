@@ -24,7 +24,7 @@ TEST(ExactSide, IsThatOfAMoreExactSum) {
     plane.normal = glm::normalize(glm::dvec3(number(0), number(1), number(2)));
     const glm::dvec3 point(glm::vec3(0.05 * number(3), 0.05 * number(4), 0.05 * number(5)));
 
-    // The plane goes through the point, up to the last bits.
+    // The plane passes through the point, except for the last bits.
     plane.offset = glm::dot(plane.normal, point);
     const auto steps = static_cast<int>(random.below(16 * i + 6, 5)) - 2;
     for (int s = 0; s < std::abs(steps); ++s) plane.offset = std::nextafter(plane.offset, steps < 0 ? -1.0 : 1.0);

@@ -1,4 +1,4 @@
-// The table of knives: each entry is read as what it says it is, and help, hints and documents name every one.
+// The table of knives: each entry is read as the kind that it names, and help, hints and documents name all kinds.
 #include "generator/knife/knife_kinds.h"
 
 #include <algorithm>

@@ -37,7 +37,7 @@ TEST(PeelDepth, InABallGrowsTowardsItsMiddle) {
   }
 }
 
-/// At parts that stay the depth is the peel's plus the clearance; it decreases with the distance from them.
+/// At parts that are kept, the depth is the peel's plus the clearance; it decreases with the distance from them.
 TEST(PeelDepth, AroundAStemIsMoreThanThePeel) {
   const PeelDepth depth(ball_with_stem(), 0.002, 0.001);
   EXPECT_NEAR(depth.box().high.y, 0.05, 1e-9);
@@ -117,7 +117,7 @@ TEST(Peeled, InAStripIsClosedAndTakesLessThanInOne) {
   EXPECT_GT(volume_of(ridged), volume_of(whole)) << "the ridge stays";
 }
 
-/// Around the hole of a ring two turns of the ridge would touch: the ridge ends there, and the rest of it stays.
+/// Around the hole of a ring two turns of the ridge would touch, so the ridge ends there; the rest of it remains.
 TEST(Peeled, InAStripIsClosedWhereTheRidgeWouldTouchItself) {
   const DiffusionSurfaces ring = shapes::torus(0.025, 0.012, 32, 16);
   const ClosedSurface ridged = peeled(ring, {.thickness = 0.002, .strip = 0.012});

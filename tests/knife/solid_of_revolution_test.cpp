@@ -1,4 +1,4 @@
-// Solids of revolution, against the formulas of the solids that they come near to.
+// Solids of revolution, against the formulas of the solids that they approximate.
 #include "generator/knife/solid_of_revolution.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every list of a batch with two values, in both orders, and every other option in two entries: each file of each item is, to
-the byte, what `cut` writes with the words that the item's record says. So nothing stays of the item before.
+"""Every list of a batch with two values, in both orders, and every other option in two entries: each file of each item equals,
+to the byte, the output of `cut` with the options in the item's record. So no item depends on the one before.
 
     batches_test.py PROGRAM SOURCE
 """
@@ -14,7 +14,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from boxes import Program  # noqa: E402
 
-# Of lists: the key, two values, what the entry says besides.
+# Lists: the key, two values, the rest of the entry.
 LISTS = [
     ("templates", ["radish", "cherry"], {}),
     ("seeds", [5, 3], {}),
@@ -27,7 +27,7 @@ LISTS = [
     ("texture", [128, 64], {}),
     ("lod", [1, 0], {"detail": 0.3}),
 ]
-# Of options with one value: two entries that differ in it. None: it is not said.
+# Options with one value: two entries that differ in it. None: it is not set.
 ENTRIES = [
     ("detail", [0.1, 0.2]), ("variation", [1.5, 0.5]), ("scale", [2, 0.5]), ("faces", ["coarse", "fine"]), ("explode", [2, 1]),
     ("piece", [2, 1]), ("style", ["plate", "plain"]), ("engine", ["godot", "any"]), ("feature_ids", [True, None]),
@@ -46,7 +46,7 @@ class Batches(Program):
     cut = {}  # what words make, of all tests
 
     def batch(self, entries):
-        """Makes one batch of these entries, by one thread, and says the records of each one's items, in their order."""
+        """Makes one batch of these entries, by one thread; returns the records of each entry's items, in order."""
         said = '[batch]\nformat = 1\nname = "b"\nseed = 2\n'
         for number, entry in enumerate(entries):
             said += f'[[entry]]\nname = "e{number}"\n'
@@ -57,7 +57,7 @@ class Batches(Program):
         return [[item for item in items if item["entry"] == f"e{number}"] for number in range(len(entries))]
 
     def assert_as_cut(self, item, entry):
-        """That cut makes these files."""
+        """Checks that `cut` makes these files."""
         words = [item["template"], "--seed", item["seed"]]
         for knife in item["knives"]:
             words += ["--knife", knife]

@@ -1,7 +1,7 @@
-"""A box whose eight corners all differ, as a template; and what a folder of such things is made of.
+"""A box with eight different corners, as a template, and folders with such boxes.
 
-It has three different edges, lies away from its origin, and every corner has a colour of its own: whatever is turned,
-mirrored, moved, mixed up or converted once too often lies elsewhere, or is coloured otherwise.
+It has three different edges, lies away from its origin, and every corner has its own colour: any wrong turn, mirror, move,
+exchange or conversion changes a place or a colour.
 """
 
 import itertools
@@ -19,12 +19,12 @@ COLORS = [(0.9, 0.1, 0.1), (0.1, 0.8, 0.1), (0.1, 0.2, 0.9), (0.9, 0.8, 0.1), (0
           (0.2, 0.15, 0.1)]  # linear
 EDGES = tuple(h - l for l, h in zip(LOW, HIGH))
 VOLUME = EDGES[0] * EDGES[1] * EDGES[2]
-# Where faces meet in a corner, each counts by its area.
+# The normal of a corner is weighted by the areas of its faces.
 NORMALS = [unit(tuple((1 if i >> k & 1 else -1) * EDGES[(k + 1) % 3] * EDGES[(k + 2) % 3] for k in range(3))) for i in range(8)]
 
 
 def faces():
-    """Twelve triangles, counter-clockwise from outside."""
+    """Twelve triangles, counter-clockwise seen from outside."""
     for k, side in itertools.product(range(3), (0, 1)):
         u, v = (k + 1) % 3, (k + 2) % 3
         a, b, c, d = [(side << k) | (p << u) | (q << v) for p, q in ((0, 0), (1, 0), (1, 1), (0, 1))][::1 if side else -1]
@@ -87,7 +87,7 @@ class Program(unittest.TestCase):
         return done
 
     def scene(self, entries, poses=(), **keys):
-        """Writes s.toml; with poses, the instances lie in these, in their order. Says the instances' names."""
+        """Writes s.toml; `poses` are those of the instances, in order. Returns the instances' names."""
         head = "".join(f"{key} = {json.dumps(value)}\n" for key, value in {"format": 1, "name": "s", "style": "plain", **keys}.items())
         (self.path / "s.toml").write_text(head + entries)
         if not poses:
@@ -103,5 +103,5 @@ class Program(unittest.TestCase):
 
 
 def corners_at(turn, shift):
-    """Where each corner of a box lies, with its normal and its colour."""
+    """The place of each corner of a box, with its normal and its colour."""
     return [(add(turned(turn, p), shift), turned(turn, n), c) for p, n, c in zip(CORNERS, NORMALS, COLORS)]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every exporter and back: boxes that are turned by a quarter and moved, read by readers of this folder's own. Each corner
-lies where it should, with its normal and its colour; faces look outwards; names are their own.
+"""Every exporter: boxes that are turned by a quarter and moved, read by this folder's own readers. Each corner has the right
+place, normal and colour; faces are outward; names are right.
 
     exporters_test.py PROGRAM SOURCE
 """
@@ -39,7 +39,7 @@ def volume_of(placed):
 
 
 def centre_of(placed):
-    """Of its volume."""
+    """The centre of its volume."""
     sums = [0.0, 0.0, 0.0]
     for (a, *_), (b, *_), (c, *_) in placed.triangles:
         part = dot(a, cross(b, c)) / 24
@@ -49,7 +49,7 @@ def centre_of(placed):
 
 class Exporters(Program):
     def assert_box(self, placed, pose, about, *, textured=False, smooth=True):
-        """That these triangles are the box in this pose."""
+        """Checks that these triangles are the box in this pose."""
         expected = corners_at(*pose)
         self.assertEqual(len(placed.triangles), 12, about)
         seen = set()
@@ -71,7 +71,7 @@ class Exporters(Program):
         self.assertAlmostEqual(volume_of(placed) / VOLUME, 1, 3, about)
 
     def assert_boxes(self, found, names, about, **how):
-        """That all lie in their poses, by name where there are names."""
+        """Checks that all lie in their poses, by name if there are names."""
         self.assertEqual(sorted(placed.name for placed in found), sorted(names), about)
         for placed in found:
             self.assert_box(placed, POSES[names.index(placed.name)], (about, placed.name), **how)
@@ -84,7 +84,7 @@ class Exporters(Program):
         for reader, file in ((read_glb, "a.glb"), (read_usda, "a.usda"), (read_obj, "a.obj"), (read_ply, "a.ply"), (read_pov, "a.pov")):
             self.assert_boxes(reader(self.path / file), names, file)
 
-        # No names and no corners shared: twelve triangles each, their normals those of the faces.
+        # No names and no shared corners: twelve triangles each, with the normals of the faces.
         placed, = read_stl(self.path / "a.stl")
         self.assertEqual(len(placed.triangles), 36)
         for number, pose in enumerate(POSES):

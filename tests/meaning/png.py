@@ -1,4 +1,4 @@
-"""PNG as rows of pixels, by zlib alone: 1, 3 or 4 channels of 8 or 16 bits, not interlaced."""
+"""PNG as rows of pixels, only by zlib: 1, 3 or 4 channels of 8 or 16 bits, not interlaced."""
 
 import struct
 import zlib
@@ -40,7 +40,7 @@ class Picture:
             before = row
 
     def at(self, x, y):
-        """All channels of a pixel; of one channel alone, its number."""
+        """All channels of a pixel; with one channel, its number."""
         if self.channels == 1:
             return self.values[y][x]
         return self.values[y][x * self.channels:(x + 1) * self.channels]

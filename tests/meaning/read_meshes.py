@@ -1,4 +1,4 @@
-"""Every mesh format of the program, read by this program's own means: things with a name, where they lie in the scene.
+"""Every mesh format of the program, read without the program's code: named things at their places in the scene.
 
 Each reader gives a list of Placed, in the order of the file. A corner is (position, normal, colour): metres, unit, linear;
 None where the format has none.
@@ -55,7 +55,7 @@ class Glb:
         return [row[0] for row in rows] if count == 1 else rows
 
     def texture(self, primitive):
-        """The picture of its base colour."""
+        """The picture of the base colour."""
         material = self.json["materials"][primitive["material"]]
         index = material["pbrMetallicRoughness"]["baseColorTexture"]["index"]
         return Picture(self.view(self.json["images"][self.json["textures"][index]["source"]]["bufferView"])[0])
@@ -85,7 +85,7 @@ class Glb:
         return triangles, parts
 
     def placed(self, level=None):
-        """Of the scene; with a level, its nodes by MSFT_lod in place of those that stand in the scene."""
+        """The scene's meshes; with a level, the nodes that MSFT_lod names instead of those in the scene."""
         found = []
         for root in self.json["scenes"][0]["nodes"]:
             self._walk(root, [], found, level)
@@ -116,7 +116,7 @@ class Glb:
 
 
 def moved(triangle, nodes):
-    """By a chain of glTF's nodes, the innermost first."""
+    """The point transformed by a chain of glTF's nodes, the innermost first."""
     for node in nodes:
         assert "scale" not in node and "matrix" not in node
         x, y, z, w = node.get("rotation", (0, 0, 0, 1))
@@ -226,7 +226,7 @@ class Prim:
         return next((c for c in self.children if c.name == name), None)
 
     def value(self, name, default=None):
-        """What stands behind `name =`, of numbers as tuples and lists."""
+        """The value after `name =`, with numbers as tuples and lists."""
         for line in self.lines:
             found = re.match(rf"(?:[\w\[\]]+ )+{re.escape(name)} = (.*)$", line)
             if found:
@@ -313,7 +313,7 @@ def read_usda(file, level=None):
 
 
 def usd_facts(piece):
-    """customData, and what is said of its physics."""
+    """customData, and the physical data."""
     facts = {}
     for kind, name, text in re.findall(r"^(double3?|double\[\]|matrix3d|uint64|int|bool|string(?:\[\])?) (\w+) = (.*)$", piece.about, re.M):
         facts[name] = json.loads(text.replace("(", "[").replace(")", "]")) if not kind.startswith("bool") else text

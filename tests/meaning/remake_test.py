@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""One piece, however it came to be: in a cut, alone, in a scene, in a batch. Its `command` makes every vertex again, with
-normals, colours, parts and textures, and every number beside it.
+"""A piece made in a cut, alone, in a scene and in a batch: its `command` makes every vertex again, with normals, colours,
+parts and textures, and all numbers of the piece.
 
     remake_test.py PROGRAM SOURCE
 """
@@ -91,7 +91,7 @@ class Remake(Program):
         self.assert_made_again("s.glb", 6)
 
     def test_sizes_are_drawn_apart_from_ripeness(self):
-        """A scene whose sizes are drawn from elsewhere has the same fruit, only larger: their draws have nothing in common."""
+        """A scene with other sizes has the same fruit, only larger: sizes and fruit have independent random numbers."""
         def ripeness_and_size(scene):
             (self.path / "s.toml").write_text(scene)
             self.pomona("scene", "s.toml", "--detail", "0.2", "--quality", "draft", "-o", "s.glb")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Ground truth, computed again: every number of annotations.json from the pictures alone, and every picture from the meshes
-of the .ply of the same scene, by a rasteriser of this file's own.
+"""Ground truth, computed again: every number of annotations.json from the pictures, and every picture from the meshes in the
+.ply of the same scene, by this file's own rasteriser.
 
     truth_test.py PROGRAM SOURCE
 """
@@ -36,7 +36,7 @@ copies = 3
 
 
 def box_at(turn, middle):
-    """The pose in which the box's middle lies there."""
+    """The pose that puts the box's middle there."""
     return turn, sub(middle, turned(turn, (0.014, 0.002, 0.025)))
 
 
@@ -124,7 +124,7 @@ class Truth(Program):
             self.assertEqual(kind[one["category_id"]], "cherry" if one["name"].startswith("half") else "box")
             self.assertEqual(fruit[one["fruit_id"]]["name"], whole.get(one["name"], "box-1"))
             self.assertEqual(fruit[one["fruit_id"]]["category_id"], one["category_id"])
-        # The number of a part is of its kind of fruit.
+        # Part numbers belong to a kind of fruit.
         part = {one["id"]: one for one in self.told["parts"]}
         category = {one["id"]: one["category_id"] for one in self.told["annotations"]}
         for p in self.pixels:
@@ -182,7 +182,7 @@ class Truth(Program):
             count["part"] += part_name[self.layer["part"].at(*p)] != placed[near[1]].parts[which]
         self.assertGreater(inside, 1500)
         self.assertGreater(sum(self.layer["section"].at(*p) > 0 for p in self.pixels), 150, "cut faces are seen")
-        # Where two meshes or two triangles meet at a pixel's middle, either may be shown.
+        # If two meshes or triangles meet at a pixel's middle, either may be shown.
         for what, wrong in count.items():
             self.assertLessEqual(wrong, {"part": 0.03, "normal": 0.02}.get(what, 0.01) * inside, (what, count, inside))
 

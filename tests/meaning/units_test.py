@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Units: of a fruit twice as large every number in every file is larger by its dimension: lengths twice, areas four times,
-volumes and masses eight times, inertia thirty-two times, and what has no dimension stays. And of a box all is known.
+"""Units: for a fruit twice as large every number in every file grows by its dimension: lengths twice, areas four times, volumes
+and masses eight times, inertia thirty-two times, dimensionless numbers stay. And all numbers of a box are known.
 
     units_test.py PROGRAM SOURCE
 """
@@ -32,7 +32,7 @@ def flat(value):
 
 class Units(Program):
     def assert_scaled(self, small, large, power, about):
-        """Numbers of two files, of which the second is of twice the size."""
+        """Numbers of two files, the second of twice the size."""
         a, b = flat(small), flat(large)
         self.assertEqual(len(a), len(b), about)
         most = max(map(abs, a), default=0)
@@ -72,7 +72,7 @@ class Units(Program):
         both = {kind: [reader(self.path / f"{size}.{kind}") for size in (1, 2)] for reader, kind in zip(readers, kinds)}
         for kind, (small, large) in both.items():
             self.assert_places(small, large, kind, 2e-4 if kind == "usda" else CLOSE)
-        # All formats say the same place, so that no unit is another's.
+        # All formats have the same place, so units agree.
         middle = {kind: [sum(p[k] for t in small[0].triangles for p, *_ in t) / 3 / len(small[0].triangles) for k in range(3)]
                   for kind, (small, _) in both.items() if kind != "stl"}
         for kind, place in middle.items():
@@ -86,7 +86,7 @@ class Units(Program):
             self.assertGreaterEqual(self.assert_facts(a.facts, b.facts, "glb"), {"volume", "mass", "center", "inertia", "low", "high"})
         for a, b in zip(*both["usda"], strict=True):
             self.assertGreaterEqual(self.assert_facts(a.facts, b.facts, "usda"), {"volume", "physics:mass", "physics:density"})
-        # What one file says of a piece, the others say, too.
+        # All files have the same data of a piece.
         for listed, glb, usd in zip(lists[0], both["glb"][0], both["usda"][0], strict=True):
             for key in ("volume", "density", "mass", "center", "inertia", "low", "high", "triangles"):
                 self.assertEqual(listed[key], glb.facts[key], key)
@@ -151,7 +151,7 @@ class Units(Program):
         self.assertLess(max(abs(x - y) for x, y in zip(told, right, strict=True)), close, about)
 
     def test_parts_weigh_by_their_names(self):
-        """A heavy core in a light shell: which density is whose decides every number."""
+        """A heavy core in a light shell: every number depends on the right densities."""
         def surface(k, low, high, front, back):
             place = [tuple((high if i >> axis & 1 else low)[axis] for axis in range(3)) for i in range(8)]
             return [" ".join(map(str, p + (0.5,) * 6 + (0, 1 if k == 0 else 0, 0))) for p in place], \
@@ -175,7 +175,7 @@ class Units(Program):
             self.assert_near(facts["center"], middle, 1e-4, order)
 
     def test_sheets_say_their_size(self):
-        """A section of 20 mm at so many pixels an inch is so many millimetres; twice the dpi, half of them."""
+        """The size of a section in millimetres follows from its dpi: twice the dpi, half the size."""
         for dpi in (72, 144):
             self.pomona("cut", "box.toml", "--knife", "across", "--section", "--size", "200x100", "--dpi", dpi, "-o", f"{dpi}.svg", "-o", f"{dpi}.png")
             head = (self.path / f"{dpi}.svg").read_text()[:600]

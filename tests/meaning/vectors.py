@@ -39,7 +39,7 @@ def turned(q, p):
 
 
 def linear(srgb):
-    """Of a share from 0 to 1, as IEC 61966-2-1 has it."""
+    """The sRGB curve of a value from 0 to 1 (IEC 61966-2-1)."""
     return srgb / 12.92 if srgb <= 0.04045 else ((srgb + 0.055) / 1.055) ** 2.4
 
 

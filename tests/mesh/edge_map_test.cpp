@@ -17,7 +17,7 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Pairs of few vertices, so that most appear again, some the other way round; and pairs of the largest numbers.
+/// Pairs of few vertices, so that most appear again, some in the other order; and pairs of the largest numbers.
 std::vector<Pair> some_pairs() {
   const RandomStream random({3, 0}, "edges");
   std::vector<Pair> pairs;

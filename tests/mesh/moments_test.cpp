@@ -1,4 +1,4 @@
-// Mass, centre and inertia of solids that are known.
+// Mass, centre and inertia, against formulas for simple solids.
 #include "generator/mesh/moments.h"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@ namespace {
 
 using Corners = std::vector<glm::dvec3>;
 
-/// The area of all triangles, along the polygon's normal. It is the polygon's only if no triangle leaves the polygon.
+/// The area of all triangles, each counted positive. It equals the polygon's only if no triangle leaves the polygon.
 double area_of(const Corners& corners, const std::vector<glm::uvec3>& triangles) {
   double area = 0;
   for (const glm::uvec3& t : triangles)

@@ -1,4 +1,4 @@
-// Points that tests of geometry are tried at.
+// Random points for tests of geometry.
 #pragma once
 
 #include <cstdint>

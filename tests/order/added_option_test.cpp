@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The table, and one option more.
+/// The table with one more option.
 std::vector<OrderOption> larger_table() {
   std::vector<OrderOption> table = order_options();
   table.push_back({.name = "ember-glow",
@@ -48,14 +48,14 @@ TEST(AddedOption, IsTypedToldCompletedAndWritten) {
   EXPECT_EQ(order.picture.dpi, 3);
   EXPECT_THROW(app.parse("cut --knife half -o x.glb --ember-glow 6"), CLI::ValidationError);
 
-  // A piece's command, and what is told where it has no effect.
+  // A piece's command, and the warning without effect.
   EXPECT_THAT(piece_words(order, table), HasSubstr(" --ember-glow 3"));
   Order of_a_picture = order;
   of_a_picture.outputs = {{"x.png", Format::png}};
   EXPECT_THAT(idle_options(of_a_picture, OrderTaker::cut, {}, table),
               testing::Contains("--ember-glow is about .glb: no output is one"));
 
-  // A key of files.
+  // A key of batch files.
   TomlDocument document("ember_glow = 2.5\n", "x.toml");
   Order read;
   read_option_key(table.back(), document.root(), read);

@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A value that an option takes and that is not its default.
+/// A valid value of an option other than its default.
 std::string other_value(const OrderOption& option) {
   static const std::map<std::string, std::string> special = {
       {"seeds", "2-4"},   {"texel", "0.2mm"}, {"ripeness-variants", "0.5,1"}, {"size", "80x60"}, {"view", "30,20"},
@@ -41,7 +41,7 @@ TEST(OptionTable, GivesBackWhatItReads) {
     EXPECT_EQ(text_of_option(option, order), other_value(option)) << option.name;
     EXPECT_TRUE(is_ordered(option, order)) << option.name;
 
-    // No other option has become another.
+    // No other option has changed.
     for (const OrderOption& other : order_options())
       EXPECT_EQ(is_ordered(other, order), other.name == option.name) << option.name << " gives " << other.name;
   }
@@ -102,8 +102,8 @@ TEST(OptionTable, SaysInACommandWhatMakesAPiece) {
   order.color.quality = Quality::draft;
   order.color.style = "my style.toml";
   order.mesh.feature_ids = true;
-  order.mesh.maps = Maps::color;  // of textures, which there are none of
-  order.picture.dpi = 300;        // no piece's
+  order.mesh.maps = Maps::color;  // has no effect without textures
+  order.picture.dpi = 300;        // not an option of pieces
   EXPECT_EQ(piece_words(order), " --quality draft --style 'my style.toml' --feature-ids");
   order.mesh.texture = 256;
   EXPECT_EQ(piece_words(order), " --quality draft --style 'my style.toml' --texture 256 --maps color --feature-ids");

@@ -145,7 +145,8 @@ TEST(Browning, two_cuts_agree_where_they_meet) {
   EXPECT_GT(shared, 10u);
 }
 
-/// Knives go around the stone of a peach. The half without it has the socket, whose wall was inside the flesh before.
+/// Knives spare the stone of a peach. The half without the stone has the socket, whose wall was inside the flesh
+/// before.
 struct SparedPeach {
   DiffusionSurfaces surfaces =
       shapes::nested_spheres(0.03, 0.01, 12, shapes::skin_paint(),

@@ -41,7 +41,7 @@ TEST(Grow, SpotsThatStandOutGoWithTheVariant) {
   EXPECT_NE(one.raised[0].center, other.raised[0].center);
 }
 
-/// Vertices of a part that ripens as flesh and skin do: seeds are no surfaces of the sweep.
+/// Seeds ripen like flesh and skin, although they are not surfaces of the sweep.
 TEST(Grow, SeedsRipenWithTheirFruit) {
   Template fruit = shipped("strawberry");
   fruit.ripeness.parts.clear();

@@ -83,7 +83,7 @@ TEST(Guided, points_to_the_foot_on_the_skin) {
   for (std::size_t v = 0; v < section.position.size(); ++v) {
     const glm::dvec3 out = glm::dvec3(section.position[v]) - bounds.center();
     const double away = glm::length(out);
-    if (away < 0.2 * radius) continue;  // near the middle every direction is as good
+    if (away < 0.2 * radius) continue;  // near the middle no direction is preferred
     const glm::dvec3 foot = out + glm::dvec3(section.guide[v].to_skin);
     EXPECT_NEAR(glm::length(foot), radius, 0.02 * radius);
     EXPECT_GT(glm::dot(foot, out) / (glm::length(foot) * away), 0.995);
@@ -94,7 +94,7 @@ TEST(Guided, points_to_the_foot_on_the_skin) {
   }
 }
 
-/// Of two nested spheres the outer has depth 0, the inner its distance from the outer.
+/// Of two nested spheres, the outer one has depth 0, the inner one its distance from the outer one.
 TEST(Guided, layers_are_as_deep_as_they_lie) {
   const DiffusionSurfaces both = joined(ball(), shapes::sphere(0.5 * radius, 16, shapes::skin_paint()));
   const CrossSection section = guided(section_of(both, {"half"}), both, detailed_fruit());
@@ -150,7 +150,8 @@ TEST(Guided, two_cuts_agree_where_they_share_a_place) {
     const auto found = known.find(place(one.position[v]));
     if (found == known.end()) continue;
     ++shared;
-    // Faces of different cuts agree within a millionth of the size: sums differ when other places are diffused along.
+    // Faces of different cuts agree within a millionth of the size, because sums differ if other places are diffused
+    // with them.
     EXPECT_LT(glm::distance(found->second.to_skin, one.guide[v].to_skin), 1e-6f * float(radius));
     EXPECT_NEAR(found->second.layer, one.guide[v].layer, 1e-6f * float(radius));
     EXPECT_EQ(found->second.share, one.guide[v].share);
@@ -168,7 +169,7 @@ CrossSection section_with_a_core() {
 }
 
 TEST(Guided, left_out_is_only_what_nobody_asks_for) {
-  // Details of flesh alone, and details that count everywhere.
+  // Details of the flesh only, and details of all parts.
   Template core = detailed_fruit(), everywhere = detailed_fruit();
   for (DetailSketch& detail : everywhere.details) detail.parts = {0, 1};
   const CrossSection some = guided(section_with_a_core(), ball(), core);

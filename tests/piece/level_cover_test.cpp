@@ -1,5 +1,5 @@
-// What proves that a level is near its solid, and the solid near its level: it must not be deceived by a peak between
-// corners, by the other side, by a hole, nor by what lies beyond a border.
+// The proof that a level is near its solid and the solid near its level. It must notice a peak between corners, a
+// surface that faces the other way, a hole, and a place beyond a border.
 #include <array>
 #include <cstdint>
 #include <numeric>
@@ -103,7 +103,7 @@ TEST(PatchCover, DoesNotReachBeyondTheRim) { EXPECT_FALSE(covers(sheet(), {{{0, 
 
 TEST(PatchCover, MayReachBeyondTheRimWhereASideStandsForIt) {
   Solid solid = sheet();
-  solid.mesh.position[at(2, 0)].y = 0.05f;  // the rim has a dent
+  solid.mesh.position[at(2, 0)].y = 0.05f;  // a dent in the rim
   const VertexFans fans = vertex_fans(solid);
   const LevelSource source = level_source(fans, solid.mesh);
   LevelMesh level = level_mesh(source);
@@ -119,7 +119,7 @@ TEST(PatchCover, MayReachBeyondTheRimWhereASideStandsForIt) {
   EXPECT_TRUE(cover.covers(query, level.chains));
 }
 
-/// A sheet with a peak, and what is off once the peak has been taken away.
+/// Number of uncovered faces of a sheet with a peak, after the peak has been removed.
 std::size_t uncovered_with_peak(float height) {
   Solid solid = sheet();
   solid.mesh.position[at(2, 2)].z = height;

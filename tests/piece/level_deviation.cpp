@@ -38,7 +38,7 @@ ColoredTriangle triangle_of(const Solid& solid, std::size_t t) {
   return triangle;
 }
 
-/// Triangles so narrow that rounding may turn them; what lies beside them has their corners.
+/// Triangles so narrow that rounding may turn them. Their corners belong to other triangles, too.
 bool is_needle(const ColoredTriangle& t) { return glm::length(t.normal) < 1e-3 * t.radius * t.radius; }
 
 glm::dvec3 color_at(const ColoredTriangle& t, const glm::dvec3& point) {
@@ -57,12 +57,13 @@ struct Near {
   glm::dvec3 color{0};
 };
 
-/// The triangles of one cut face or surface, to be asked what is nearest.
+/// The triangles of one cut face or surface, which finds the nearest of them.
 class Patch {
  public:
   void add(const ColoredTriangle& triangle) { triangles_.push_back(triangle); }
 
-  /// Among those that face the same way, or all if `normal` is 0. The search begins where the last one ended.
+  /// The nearest triangle that faces the same way, or of all triangles if `normal` is 0. The search begins at the last
+  /// result.
   Near nearest(const glm::dvec3& point, const glm::dvec3& normal = glm::dvec3(0)) {
     double min = std::numeric_limits<double>::infinity();
     glm::dvec3 at(0);

@@ -1,4 +1,4 @@
-// Levels of detail: as few triangles as asked for, and never further off than stated.
+// Levels of detail have as few triangles as asked for, and never deviate more than stated.
 #include "generator/piece/lod/levels_of_detail.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ using Place = std::array<float, 3>;
 
 Place place_of(const glm::vec3& p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; }
 
-/// Edges, by position, that do not run as often one way as the other.
+/// Number of edges, by position, that triangles do not pass equally often in both directions.
 std::size_t open_edges(const Solid& solid) {
   std::map<std::pair<Place, Place>, int> balance;
   for (const glm::uvec3& t : solid.mesh.triangle) {
@@ -69,7 +69,7 @@ double area_of(const Solid& solid) {
   return area;
 }
 
-/// All a vertex is, to tell whether another solid has it.
+/// All attributes of a vertex, to find whether another solid has it.
 using VertexKey = std::tuple<Place, Place, Place, std::int32_t>;
 
 std::set<VertexKey> vertices_of(const Solid& solid) {
@@ -80,7 +80,7 @@ std::set<VertexKey> vertices_of(const Solid& solid) {
   return all;
 }
 
-/// The largest piece of a real fruit, as users get it; whole without a knife.
+/// The largest piece of a real fruit, as users get it; the whole fruit without a knife.
 Solid piece_of(const std::string& name, const std::string& knife) {
   const Template fruit = read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + name + ".toml");
   const GrownFruit grown = grow(fruit, {.seed = 0});
@@ -107,7 +107,7 @@ using Levels = std::vector<Solid>;
 void expect_as_few_as_asked_for(const Solid& solid, const Levels& levels) {
   ASSERT_EQ(levels.size(), 3u);
   EXPECT_LE(levels[0].mesh.triangle.size(), solid.mesh.triangle.size() / 2);
-  // An onion has dozens of roots and wisps, each of which keeps the least that a closed body has.
+  // An onion has dozens of roots and wisps, and each keeps at least the triangles that a closed body needs.
   EXPECT_LE(levels[1].mesh.triangle.size(), solid.mesh.triangle.size() / 3);
   EXPECT_LT(levels[2].mesh.triangle.size(), levels[1].mesh.triangle.size());
 }
@@ -117,7 +117,7 @@ void expect_closed(const Solid& solid, const Levels& levels) {
   for (const Solid& level : levels) EXPECT_EQ(open_edges(level), 0u) << level.name;
 }
 
-/// Surface by surface and on the same side: both sides of a thin leaf are near any place of it.
+/// Compares surface by surface, and only the same side, because both sides of a thin leaf are near any place on it.
 void expect_within_the_error(const Solid& solid, const Levels& levels) {
   double bound = LodOptions{}.error * size_of(solid), color_bound = 4;
   for (const Solid& level : levels) {
@@ -136,7 +136,7 @@ void expect_only_known_vertices(const Solid& solid, const Levels& levels) {
   }
 }
 
-/// But for needles of less than a square micrometre, which rounding has turned in the solid itself.
+/// Except needles of less than a square micrometre, which rounding has already turned in the solid.
 void expect_cut_faces_to_face_as_they_did(const Levels& levels) {
   for (const Solid& level : levels) {
     for (std::size_t t = 0; t < level.mesh.triangle.size(); ++t) {
@@ -148,7 +148,7 @@ void expect_cut_faces_to_face_as_they_did(const Levels& levels) {
   }
 }
 
-/// But for needles; and the solid itself may have some.
+/// Number of turned triangles, except needles. The solid itself may have some.
 std::size_t turned_triangles(const SolidMesh& mesh) {
   std::size_t turned = 0;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
@@ -162,7 +162,7 @@ std::size_t turned_triangles(const SolidMesh& mesh) {
   return turned;
 }
 
-/// Five of ten thousand may: seams where bodies were united have slivers, whose normals rounding has turned.
+/// Five of ten thousand may be turned: seams of united bodies have slivers, whose normals rounding has turned.
 void expect_hardly_more_to_be_turned(const Solid& solid, const Levels& levels) {
   for (const Solid& level : levels)
     EXPECT_LE(turned_triangles(level.mesh), turned_triangles(solid.mesh) + level.mesh.triangle.size() / 2000)
@@ -194,8 +194,8 @@ TEST_P(RealLevels, HoldWhatIsPromised) {
   expect_the_same_again(solid, levels);
 }
 
-/// Half of every template, and a whole fruit. Under a sanitizer a piece takes minutes, and memory is used in the same
-/// way on all of them: one is enough there.
+/// Half of every template, and a whole fruit. Under a sanitizer only one piece, because each takes minutes and all use
+/// memory in the same way.
 std::vector<RealPiece> real_pieces() {
 #ifdef __SANITIZE_ADDRESS__
   return {{"apple", "half"}};
@@ -210,7 +210,7 @@ std::vector<RealPiece> real_pieces() {
 
 INSTANTIATE_TEST_SUITE_P(Fruits, RealLevels, testing::ValuesIn(real_pieces()));
 
-/// FNV-1a over all that was decided.
+/// FNV-1a over the choices of all levels.
 std::uint64_t hash_of(const Levels& levels) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   const auto eat = [&](const auto& values) {
@@ -300,7 +300,7 @@ Solid ball_of_three_parts() {
   return three;
 }
 
-/// The same number from every compiler; another one only where what is chosen has been changed on purpose.
+/// The number is the same from every compiler. It may change only if the choice of collapses is changed on purpose.
 TEST(LevelsOfDetail, HaveTheSameBytesEverywhere) {
   EXPECT_EQ(hash_of(levels_of_detail(ball_of_three_parts(), {.levels = 6})), 5878379542693664726u);
 }
@@ -349,7 +349,7 @@ TEST(VertexFans, FreezeWhatMeetsAtAnEdgeOfFour) {
 
 TEST(VertexFans, PartBodiesThatTouchInAPoint) {
   Solid two = touching_tetrahedra();
-  // The second one with an edge of its own, but for the vertex 0.
+  // The second tetrahedron gets its own vertices; only one of them lies on the first, at its vertex 0.
   two.mesh.position.insert(two.mesh.position.end(), {{-0.5f, 0, 1}, {0, 0, 0}});
   two.mesh.triangle = {{0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 2, 1}, {7, 6, 5}, {7, 5, 4}, {6, 4, 5}, {7, 4, 6}};
   for (auto* values : {&two.mesh.normal, &two.mesh.color}) values->resize(8, glm::vec3(0.5f));

@@ -33,7 +33,7 @@ TEST(PieceFacts, OfADie) {
   EXPECT_EQ(facts.triangles, scene.solids[0].mesh.triangle.size());
 }
 
-/// In the piece list and in the extras of a .glb: both take it from the solid.
+/// The piece list and the extras of a .glb both take the mass from the solid.
 TEST(PieceFacts, MassIsByTheTemplatesDensity) {
   const DiffusionSurfaces box = shapes::box({0, 0, 0}, {0.02, 0.01, 0.01}, 2, shapes::skin_paint());
   Template dense;
@@ -53,7 +53,7 @@ TEST(PieceFacts, AreToldWithAllRowsOfTheInertia) {
       EXPECT_NEAR(told["inertia"][i][k].get<double>(), facts.inertia[i][k], 1e-6 * facts.inertia[0][0]);
     EXPECT_NEAR(told["center"][i].get<double>(), facts.center[i], 1e-6);
   }
-  // A block of 10 x 5 x 5 mm has the least inertia about its length, and equal ones about the two other axes.
+  // A block of 10 x 5 x 5 mm has its min inertia about its length, and equal ones about the two other axes.
   EXPECT_LT(told["inertia"][0][0], told["inertia"][1][1]);
   EXPECT_NEAR(told["inertia"][1][1].get<double>(), told["inertia"][2][2].get<double>(), 1e-6 * facts.inertia[1][1]);
   EXPECT_EQ(told["closed"], true);

@@ -19,7 +19,7 @@ TEST(PieceOrigin, PathsFromTheRootAreOfNoUseElsewhere) {
   EXPECT_EQ(source_word("/home/me/plum.toml"), "plum.toml");
 }
 
-/// Pieces know their numbers in the whole cut, however few of them were wanted; and one alone can be asked for.
+/// Pieces keep their numbers in the whole cut if only a few or one of them are wanted.
 TEST(PieceOrigin, NumbersAreThoseOfTheWholeCut) {
   const GrownFruit grown{shapes::seeded_fruit(), {}, shapes::seeded_fruit()};
   Template fruit;
@@ -48,7 +48,7 @@ TEST(PieceOrigin, NumbersAreThoseOfTheWholeCut) {
   EXPECT_TRUE(slice(task, nullptr).pieces.empty());
 }
 
-/// A cut that the program cannot make has no command.
+/// A cut that no command of the program makes has no command.
 TEST(PieceOrigin, OtherCutFacesThanTheProgramsHaveNoSource) {
   const GrownFruit grown{shapes::seeded_fruit(), {}, shapes::seeded_fruit()};
   const Template fruit;

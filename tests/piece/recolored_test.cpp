@@ -42,7 +42,7 @@ TEST(Recolored, SkinHasTheOtherFruitsColoursAtItsPlacesAndNothingElseChanges) {
       EXPECT_NEAR(same.mesh.color[v][channel], pieces[0].mesh.color[v][channel], 2e-3);
 }
 
-/// A socket's browned flesh may look more like the stone's coat than like fresh flesh.
+/// Sides cannot be told by colour: a socket's browned flesh may look more like the stone's coat than like fresh flesh.
 TEST(Recolored, TellsTheSidesOfASpareStoneByTheirParts) {
   const Color flesh(0.8f, 0.7f, 0.4f), coat(0.2f, 0.1f, 0.05f), riper(0.9f, 0.4f, 0.2f);
   DiffusionSurfaces own = shapes::nested_spheres(

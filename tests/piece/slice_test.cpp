@@ -103,7 +103,7 @@ TEST(Slice, TellsOfEveryPieceWhichPartsTheWholeFruitShows) {
   }
 }
 
-/// A corner too small to matter is dropped, unless it is asked for; corners that matter together are kept.
+/// A crumb is dropped unless it is asked for. Crumbs that together are large enough are kept.
 TEST(Slice, LeavesOutCrumbsThatAreLessThanOneTogether) {
   const DiffusionSurfaces box = shapes::box(glm::dvec3(-0.03), glm::dvec3(0.03), 2, shapes::skin_paint());
   const GrownFruit grown{box, {}, box};

@@ -1,4 +1,4 @@
-// What pieces weigh by the parts inside them.
+// The mass of pieces from the parts inside them.
 #include "generator/piece/weigh.h"
 
 #include <algorithm>
@@ -95,7 +95,7 @@ TEST(Weighed, IsExactWherePartsAreAsDenseAsTheFruit) {
   }
 }
 
-/// A density that no place has must be a mistake in the template.
+/// If no place has a density that the template gives, the template is wrong.
 TEST(Weighed, PartsThatShippedTemplatesGiveADensityFillSomething) {
   for (const auto& entry : std::filesystem::directory_iterator(std::string(POMONA_SOURCE_DIR) + "/templates")) {
     if (entry.path().extension() != ".toml") continue;
@@ -125,7 +125,7 @@ class WeighedFruit : public ::testing::TestWithParam<CutOf> {
   WeighedFruit()
       : fruit_(read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + GetParam().fruit + ".toml")),
         grown_(grow(fruit_, {0, 0}, {.as_drawn = true, .detail = 0.5})) {
-    // Densities differ five times as much as in nature: errors of the parts must not vanish in the weight of the fruit.
+    // Differences of density are five times the natural ones, so that errors of a part show in the mass of the fruit.
     for (double& density : fruit_.densities) density = std::max(50.0, fruit_.density + 5 * (density - fruit_.density));
   }
 
@@ -137,7 +137,7 @@ class WeighedFruit : public ::testing::TestWithParam<CutOf> {
   GrownFruit grown_;
 };
 
-/// Sums over a grid of points, each asked which piece and which regions are around it.
+/// Sums over a grid of points; for each, the piece and the regions around it are found.
 std::vector<Moments> summed_points(const std::vector<Solid>& pieces, const PartRegions& regions, const Template& fruit,
                                    int along) {
   std::vector<Enclosures::Triangle> triangles;
@@ -165,7 +165,7 @@ std::vector<Moments> summed_points(const std::vector<Solid>& pieces, const PartR
   for (double x = box.low.x; x < box.high.x; x += step) {
     for (double y = box.low.y; y < box.high.y; y += step) {
       for (double z = box.low.z; z < box.high.z; z += step, n += 3) {
-        // Each point lies somewhere in its cell, so that no layer of the fruit coincides with a layer of the grid.
+        // Each point lies at random in its cell, so that no layer of the fruit coincides with a layer of the grid.
         const glm::dvec3 p =
             glm::dvec3(x, y, z) + step * glm::dvec3(draw.uniform(n), draw.uniform(n + 1), draw.uniform(n + 2));
         double density = fruit.density;

@@ -1,4 +1,4 @@
-// Texels are diffused by whatever diffuser the cut face had: each in its own way, and to much the same colours.
+// Texels are diffused by the diffuser of the cut face; all diffusers give nearly the same colours.
 #include <gtest/gtest.h>
 #include <cmath>
 #include <memory>

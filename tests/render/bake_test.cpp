@@ -1,4 +1,4 @@
-// Baked textures: colours arrive where they belong, at their own places, and nothing else's does.
+// Baked textures: each place has its own colour and no other place's.
 #include "render/texture/bake.h"
 
 #include <gtest/gtest.h>
@@ -47,8 +47,8 @@ Solid colored_by(Solid solid, const GivenDiffuser<Function>& diffuser) {
   return solid;
 }
 
-/// The place of a texel's middle on one cut face of a baked solid, from the texture coordinates alone; nothing where
-/// it lies beside it.
+/// The place of a texel's middle on one cut face of a baked solid, only from the texture coordinates; nothing beside
+/// the face.
 std::optional<glm::dvec3> place_of_texel(const BakedSolid& baked, int x, int y) {
   const glm::dvec2 size(baked.texture.width, baked.texture.height);
   for (std::size_t t = 0; t < baked.solid.mesh.triangle.size(); ++t) {
@@ -105,7 +105,7 @@ TEST(Bake, FollowsAFieldBetweenThePointsItAsksFor) {
   for (int y = 0; y < 512; y += 3) {
     for (int x = 0; x < 512; x += 3) {
       const auto p = place_of_texel(result, x, y);
-      // What lies on the round rim lies beside it on its polygon, too, and there colours are the vertices'.
+      // Texels near the round rim may lie outside its polygon, where the colours are those of vertices.
       if (!p || glm::length(*p) > 0.97) continue;
       ++checked;
       far_off += difference(result.texture.at(x, y), to_srgb8(waves(glm::vec3(*p)))) > 2 ? 1 : 0;
@@ -117,8 +117,8 @@ TEST(Bake, FollowsAFieldBetweenThePointsItAsksFor) {
 }
 
 TEST(Bake, DiffusesEveryTexelAtItsOwnPlaceIfAsked) {
-  // Linear in place, as positive mean values and harmonic functions are between linear colours; the vertices know
-  // nothing of it.
+  // Linear in space, like positive mean values and harmonic functions between linear colours. The vertices have other
+  // colours.
   const GivenDiffuser linear([](const glm::vec3& p) { return Color(0.5f + 0.3f * p.x, 0.5f - 0.3f * p.z, 0.25f); });
   const BakedSolid result = baked(colored_by(half_ball(), linear), plain, {.texels = 128, .every_texel = true});
   int checked = 0;
@@ -154,7 +154,7 @@ TEST(Bake, KeepsColoursApartWhereASurfaceCrosses) {
       if (!p) continue;
       const glm::u8vec3 found = result.texture.at(x, y);
       if (std::abs(p->x) < 0.5 * result.texel + 1e-6) {
-        // A texel that the line passes through shows both sides in linear light, or one.
+        // A texel on the line shows both sides in linear light, or one of them.
         mixed += found.r > 0 && found.b > 0 ? 1 : 0;
         continue;
       }

@@ -1,4 +1,4 @@
-// Textures of real fruit against what they stand for: every texel diffused by itself.
+// Textures of real fruit against every texel diffused by itself.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The baseline of the benchmarks: cube maps drawn by OpenGL see what the reference sees.
+// The benchmarks' baseline: cube maps drawn by OpenGL agree with the reference.
 #include "bench/baselines/cube_maps.h"
 
 #include <gtest/gtest.h>

@@ -40,8 +40,7 @@ TEST(CurvedFaces, HaveARimAndNoRidges) {
 }
 
 TEST(CurvedFaces, HaveRidgesAtCreases) {
-  // A rod that ends within the fruit: 48 edges of its end and more, since the fruit cuts none of them, seen from both
-  // sides.
+  // A rod that ends within the fruit: at least the 48 edges of its end, which the fruit does not cut, on both sides.
   const auto ridges =
       lines_of(shapes::solid_knife(shapes::rod({0.003, -0.02, 0.002}, 0.012, 0.2, 48)), LineKind::ridge);
   EXPECT_GE(ridges.size(), 2 * 48u);
@@ -50,7 +49,7 @@ TEST(CurvedFaces, HaveRidgesAtCreases) {
 
 constexpr glm::dvec3 knob_middle(0, 0.045, 0);
 
-/// A ball with a smaller one that is half sunk in it, as a stem is; all of one colour, but for what is within the knob.
+/// A ball with a smaller one half sunk in it, like a stem; all of one colour, except for the inside of the knob.
 std::vector<Solid> halves_of_ball_with_knob(const Color& within_knob) {
   shapes::Paint ball = shapes::skin_paint(), knob = ball;
   ball.front = knob.front = ball.back;
@@ -63,7 +62,7 @@ std::vector<Solid> halves_of_ball_with_knob(const Color& within_knob) {
   return shapes::sliced(surfaces, {parse_knife("half")}).pieces;
 }
 
-/// How opaque the lines on the cut face are that lie on the knob's outline, within the ball.
+/// The opacity of the cut face's lines on the knob's outline within the ball.
 std::vector<float> sunk_lines(const std::vector<Solid>& pieces) {
   std::vector<float> opacity;
   for (const Solid& solid : pieces) {
@@ -75,7 +74,7 @@ std::vector<float> sunk_lines(const std::vector<Solid>& pieces) {
   return opacity;
 }
 
-/// Bodies that overlap are one body, so that the outline of a sunk one is a line between colours like any other.
+/// Overlapping bodies are one body, so the outline of a sunk one is an ordinary line between colours.
 TEST(FlatFaces, HaveALineAroundWhatIsSunkInThemOnlyWhereColorsDiffer) {
   const std::vector<float> contrasting = sunk_lines(halves_of_ball_with_knob(Color(0.2f, 0.1f, 0.05f)));
   EXPECT_GT(contrasting.size(), 40u);
@@ -107,7 +106,7 @@ TEST(CurvedFaces, TurnNoTriangleAway) {
   }
 }
 
-/// Each sample of a pixel counts once, even where a face lies on itself.
+/// Each sample of a pixel counts once, even if a face overlaps itself.
 TEST(CurvedFaces, AreNotBrighterWhereTheyLieOnThemselves) {
   CrossSection section;
   section.faces.resize(1);

@@ -1,4 +1,4 @@
-// Texture detail: what patterns do by themselves, and what Look makes of them.
+// Texture detail: the patterns, and their use by Look.
 #include "render/style/detail.h"
 
 #include <array>
@@ -37,14 +37,14 @@ DetailSketch some_detail(DetailKind kind, DetailRun run) {
   return detail;
 }
 
-/// In a ball that stands on the ground, whose layers are spheres.
+/// The guide in a ball that stands on the ground, whose layers are spheres.
 DetailGuide guide_at(const glm::dvec3& p) {
   const glm::dvec3 out = p - ball_center;
   const double radius = glm::length(out);
   return {glm::vec3(out * ((ball_radius - radius) / radius)), static_cast<float>(ball_radius - radius), glm::vec4(1)};
 }
 
-/// Between 12 and 27 mm from the middle, 12 mm or more from the axis.
+/// A place between 12 and 27 mm from the middle, at least 12 mm from the axis.
 glm::dvec3 some_place(std::uint64_t i) {
   const double turn = 6.28 * stream.uniform(3 * i), up = 0.8 * stream.uniform(3 * i + 1) - 0.4;
   const double radius = 0.015 + 0.012 * stream.uniform(3 * i + 2);
@@ -131,7 +131,7 @@ TEST(Detail, runs_where_the_guide_says) {
 }
 
 TEST(Detail, is_as_wide_far_from_the_origin_as_near_it) {
-  // Along spheres of the same depth, differences do not depend on where on the sphere.
+  // On a sphere of equal depth, differences do not depend on the place.
   const Pattern pattern(some_detail(DetailKind::fibres, DetailRun::to_skin), 3);
   std::array<double, 2> change{};
   for (std::uint64_t i = 0; i < 3000; ++i) {
@@ -179,7 +179,7 @@ TEST(Detail, is_continuous_wherever_the_guide_is) {
 }
 
 TEST(Look, like_another_is_what_it_would_be_alone) {
-  // Patterns that are the same, of another shape, and of another seed.
+  // Equal patterns, one of another shape, and one of another seed.
   DetailSketch rays;
   rays.amount = 0.5;
   DetailSketch cells = rays;

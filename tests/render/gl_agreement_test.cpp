@@ -1,4 +1,4 @@
-// Diffusion by OpenGL and by the CPU give the same picture of every template there is.
+// Diffusion by OpenGL and by the CPU gives the same picture of every template.
 #include <algorithm>
 #include <filesystem>
 
@@ -27,7 +27,7 @@ std::vector<std::string> template_names() {
   return names;
 }
 
-/// Cut coarsely: a few points say enough, and OpenGL is slow in software (bench/gl_diffusion takes them all).
+/// Coarse cuts: a few points are enough, and OpenGL is slow in software (bench/gl_diffusion uses all points).
 std::vector<glm::vec3> points_on_cut(const DiffusionSurfaces& surfaces, const Knife& knife, std::size_t count) {
   const CutOptions coarse{.coarsest = 1.0 / 40, .finest = 1.0 / 150, .contrast = 0.02};
   const CrossSection section = cut(surfaces, {&knife, 1}, coarse).section;
@@ -60,7 +60,7 @@ TEST_P(EveryTemplate, HasTheColoursOfTheCpu) {
   for (const Knife& knife : knives_for(sheets)) points.push_back(points_on_cut(sheets, knife, 12));
   std::vector<DiffusionTask> sections;
   for (const std::vector<glm::vec3>& on_cut : points) {
-    if (!on_cut.empty()) sections.push_back({&sheets, on_cut});  // a plain section has vertices on its lines alone
+    if (!on_cut.empty()) sections.push_back({&sheets, on_cut});  // a plain section only has vertices on its lines
   }
   ASSERT_FALSE(sections.empty());
 

@@ -1,4 +1,4 @@
-// Diffusion by OpenGL: the oracles of positive mean values, what batches and contexts must not change, and errors.
+// Diffusion by OpenGL: the oracles of positive mean values, independence of batches and contexts, and errors.
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -18,7 +18,7 @@
 namespace pomona {
 namespace {
 
-/// One context for all tests that do not ask for another: opening takes longer than most of them.
+/// One context for most tests: opening one takes longer than most of them.
 const Diffuser& at_quality(Quality quality) {
   static const auto draft = make_gl_diffuser({.quality = Quality::draft});
   static const auto fine = make_gl_diffuser({.quality = Quality::final});
@@ -174,7 +174,7 @@ TEST(GlDiffuser, WorksFromOneTriangleToManyAndWithManyParts) {
 }
 
 TEST(GlDiffuser, EqualTrianglesAreTakenInTheirOrder) {
-  // A thousand copies of one triangle: no split tells them apart, and the first must win.
+  // A thousand copies of one triangle: no split separates them, and the first must win.
   shapes::Paint paint;
   DiffusionSurfaces stack = shapes::painted({{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}}, {glm::uvec3(0, 2, 1)}, paint);
   for (std::uint32_t i = 1; i < 1000; ++i) {
@@ -239,7 +239,7 @@ TEST(GlDiffuser, EveryRouteGivesTheSameColours) {
   }
 }
 
-/// Two fruits as the card gets them, and points in them.
+/// Two fruits as passed to the card, and points in them.
 struct TwoFruits {
   DiffusionSurfaces surfaces[2] = {shapes::seeded_fruit(), shell(20)};
   RayFrame frame[2];

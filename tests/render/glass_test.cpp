@@ -1,4 +1,4 @@
-// See-through solids: layers laid over each other from the back to the front.
+// Transparent solids: layers blended from back to front.
 #include "render/gl/glass.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Solid pane(double z, const Color& color, float opacity, double turned_degrees = 
   return solid;
 }
 
-/// From far off along Z, so that the middle is seen at right angles.
+/// Seen from far away along Z, so that the middle is seen at right angles.
 Scene before_paper(std::vector<Solid> solids, const Color& paper) {
   Scene scene = gathered(std::move(solids));
   scene.paper = paper;
@@ -57,7 +57,7 @@ glm::dvec3 middle(const std::vector<Solid>& solids, const Color& paper, int max_
   return linear;
 }
 
-/// What shows through, by the difference that the paper makes.
+/// The transmittance, measured by the effect of the paper's colour.
 double transmittance(const std::vector<Solid>& solids, int max_layers = 48) {
   return (middle(solids, white, max_layers) - middle(solids, black, max_layers)).g;
 }
@@ -82,14 +82,14 @@ TEST(Glass, LaysLayersOverEachOther) {
   expect_near(middle({back, front}, black), front_alone + seen * back_alone, 0.006);
   EXPECT_NEAR(transmittance({front, back}), 0.6 * 0.3, 0.006);
 
-  // The other way round it is another picture.
+  // The reverse order gives another picture.
   EXPECT_GT(
       std::abs(middle({pane(-0.02, red, 0.4f), pane(0.02, blue, 0.7f)}, black).r - middle({front, back}, black).r),
       0.05);
 }
 
 TEST(Glass, StandsBeforeWhatIsOpaqueAndNotBehindIt) {
-  // The wall is so wide, and the glass so far from it, that no shadow falls where one looks.
+  // The wall is wide enough and the glass far enough that no shadow falls on the measured place.
   Solid wall = pane(0, blue, 1);
   for (glm::vec3& p : wall.mesh.position) p *= 10;
   const glm::dvec3 wall_alone = middle({wall}, black);
@@ -122,7 +122,7 @@ TEST(Glass, LosesNothingWhereThereAreMoreLayersThanItOrders) {
   expect_near(middle(panes, black, 1), middle({panes[0]}, black) + 0.5 * 0.75 * rest, 0.008);
 }
 
-/// Balls within each other, and one that sticks out.
+/// Nested balls, and one that sticks out.
 std::vector<Solid> nested_balls() {
   std::vector<Solid> all;
   float number = 0;
@@ -167,7 +167,7 @@ TEST(Glass, HasContoursInInk) {
   const Image ink = draw_scene(gathered(solids), style_named("ink"), options);
   int darker = 0;
   for (int x = 40; x < 150; ++x)
-    darker = std::max(darker, plain.at(x, 80).r - ink.at(x, 80).r);  // within the outermost
+    darker = std::max(darker, plain.at(x, 80).r - ink.at(x, 80).r);  // inside the outermost ball
   EXPECT_GT(darker, 15);
 }
 

@@ -25,7 +25,7 @@ class Builder {
     solid_.mesh.surface.push_back(cut_face < 0 ? 0 : -1);
   }
 
-  /// From the latitude `from` to the north pole, in quarter turns; the first ring's first vertex is returned.
+  /// Adds a cap from the latitude `from` (quarter turns) to the north pole; returns the first vertex of the first ring.
   void cap(int around, int up, double from, double sign) {
     const auto ring = [&](int i, int j) {
       const double a = 2 * pi * i / around, e = from + (0.5 * pi - from) * j / up;

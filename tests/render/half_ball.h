@@ -1,4 +1,4 @@
-// Solids for baking, small and known.
+// Small solids for tests of baking.
 #pragma once
 
 #include "generator/piece/solid.h"

@@ -1,4 +1,4 @@
-// Tones by marks: how much paper they cover, where they run, and what they keep away from.
+// Tones by marks: how much paper they cover, their directions, and what they avoid.
 #include "render/marks/marks.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr int side = 200;
 
 ToneMap even(double darkness) { return {side, side, std::vector<float>(side * side, static_cast<float>(darkness))}; }
 
-/// The share of the inner part of the sheet that marks hide.
+/// The share of the sheet's inner part that marks cover.
 double covered(const std::vector<Mark>& marks) {
   InkLayer layer(side, side);
   for (const Mark& mark : marks) layer.draw(stroke_of(mark));
@@ -81,7 +81,7 @@ TEST(Marks, BarePaperStaysBare) {
   EXPECT_TRUE(stippled(even(0)).empty());
   EXPECT_TRUE(hatched(even(0), all_along({1, 0})).empty());
 
-  // Paper with its own grain, and nothing on it.
+  // Paper with its grain, otherwise empty.
   Image paper{side, side, {}};
   for (int i = 0; i < side * side; ++i) paper.pixels.emplace_back(glm::u8vec3(static_cast<std::uint8_t>(240 + i % 5)));
   const Color color = from_srgb8({243, 243, 243});
@@ -102,7 +102,7 @@ TEST(Marks, FlowRunsAlongEdges) {
   }
 }
 
-/// Waves that are twenty times as large flow the same way, seen in squares.
+/// Waves that are twenty times as large flow the same way, compared in squares.
 TEST(Marks, FlowOfALargePictureIsThatOfASmallOne) {
   const glm::dvec2 along(0.6, 0.8);
   const Image large = waves(along, 20);
@@ -153,7 +153,7 @@ TEST(Marks, CrossingLinesStandInTheDarkAlone) {
 }
 
 TEST(Marks, PaleFruitIsDrawnWithAsMuchContrastAsDarkFruit) {
-  // A disc of one of two greys: its tone is full ink either way.
+  // A disc of one of two greys: its tone is full ink in both cases.
   for (const int grey : {60, 190}) {
     Image image{side, side, {}};
     for (int y = 0; y < side; ++y) {

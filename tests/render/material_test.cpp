@@ -1,4 +1,4 @@
-// Gloss, bloom, fuzz and translucency: what pictures show of them.
+// Gloss, bloom, fuzz and translucency in pictures.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ Scene ball_of(const MaterialSketch& material) {
   return scene;
 }
 
-/// Light alone, from the given side of the eye, level with it.
+/// Only direct light, from this azimuth, level with the eye.
 Style lit_from(double azimuth) {
   Style style = style_named("plain");
   style.gloss = 0;
@@ -61,7 +61,7 @@ TEST(Materials, TranslucencyAddsNoLight) {
     clear.translucency = {.depth = depth};
     tinted.translucency = {.depth = depth, .color = Color(1, 0.3f, 0.1f)};
     const double untinted = radiance_all_around(context, clear);
-    const double eight_bits = 1e-4 * opaque;  // what rounding the pixels can do to their mean
+    const double eight_bits = 1e-4 * opaque;  // the effect of rounding on the mean of the pixels
     EXPECT_LE(untinted, opaque + eight_bits) << depth;
     EXPECT_LE(radiance_all_around(context, tinted), untinted + eight_bits) << depth;
     EXPECT_GT(std::fabs(untinted - opaque), 1e-5) << depth;
@@ -113,7 +113,7 @@ TEST(Materials, ThinSlicesGlowAgainstTheLight) {
     const glm::u8vec3 through = draw_scene(slab(thickness, gel), lit_from(pi), small).at(48, 36);
     EXPECT_LT(through.r, before.r) << thickness;
     EXPECT_GE(through.r, opaque.r) << thickness;
-    // Red goes furthest: what comes through is warmer than the slab.
+    // Red goes farthest: transmitted light is warmer than the slab.
     if (thickness < 0.01f) {
       EXPECT_GT(static_cast<double>(through.r) / opaque.r, static_cast<double>(through.b) / opaque.b) << thickness;
     }
@@ -121,7 +121,7 @@ TEST(Materials, ThinSlicesGlowAgainstTheLight) {
   }
 }
 
-/// The picture's side towards the light is brighter on what stands out, darker on what is sunk.
+/// On raised spots the side towards the light is brighter, on sunk spots darker.
 TEST(Materials, SpotsStandOutOrAreSunk) {
   Style style = style_named("ink");
   style.ink = false;
@@ -183,7 +183,7 @@ TEST(Hairs, StandOnTheSkinAsDenselyAsAsked) {
   const std::vector<Hair> hairs = hairs_of(ball);
   EXPECT_NEAR(static_cast<double>(hairs.size()), 0.5 * 2 * pi * 40 * 40, 20);
   for (const Hair& hair : hairs) {
-    EXPECT_LE(hair.root.z, 1e-6f);  // none on the cut face
+    EXPECT_LE(hair.root.z, 1e-6f);  // no hairs on the cut face
     EXPECT_NEAR(glm::length(hair.root - glm::vec3(0, 0.04f, 0)), 0.04f, 2e-4f);
     EXPECT_LE(glm::length(hair.tip - hair.root), 0.0021f);
     EXPECT_GT(glm::dot(hair.tip - hair.root, hair.normal), 0);

@@ -46,7 +46,7 @@ TEST(Noise, IsZeroAtLatticePointsAndDiffersBetweenSeeds) {
 }
 
 TEST(Noise, KnownBits) {
-  // The values enter pictures byte for byte: they must never change silently.
+  // The values determine bytes of pictures: they must never change silently.
   EXPECT_EQ(gradient_noise({0.25, 0.5, 0.75}, 0), -0.19422388076782227);
   EXPECT_EQ(gradient_noise({-12.125, 7.5, 0.0625}, 3), 0.19396655451782863);
 }

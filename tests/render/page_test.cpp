@@ -1,4 +1,4 @@
-// Assets and pages of real fruit: what is written is read again, and what is no asset is refused.
+// Assets and pages of real fruit: they are read as written, and anything else is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -106,7 +106,7 @@ TEST(Asset, IsReadAsItWasWritten) {
   EXPECT_EQ(a.guide->share, b.guide->share);
 }
 
-/// The largest difference between what nodes are and what comes back.
+/// The largest difference between nodes before and after coding.
 int worst_of_nodes(int thirds) {
   const Asset& a = asset();
   const std::vector<glm::u8vec3> read = decoded_nodes(a, coded_nodes(a, thirds), thirds).value();
@@ -121,13 +121,13 @@ int worst_of_nodes(int thirds) {
   return worst;
 }
 
-// Knives go around a cherry's stone, also where its asset is cut.
+// Knives also go around a cherry's stone when its asset is cut.
 TEST(Asset, SaysWhichPartsAreSpared) {
   ASSERT_EQ(asset().spared.size(), 1u);
   EXPECT_EQ(asset().parts.at(static_cast<std::size_t>(asset().spared.front())), "stone");
 }
 
-// One shell around the stone: all triangles with the stone behind them and flesh before them, and no other.
+// One shell around the stone: exactly the triangles with the stone behind them and flesh in front.
 TEST(Asset, TellsTheShellAroundTheStone) {
   const Asset& a = asset();
   ASSERT_EQ(a.shell.size(), a.triangle.size());
@@ -154,13 +154,13 @@ TEST(Asset, GuidesDetailTowardsTheSkinAllAround) {
   }
 }
 
-// Large differences between nodes are rounded, by no more than this.
+// Large differences between nodes are rounded, by at most this.
 TEST(Asset, KeepsColoursOfNodesWithinOneOrTwo) {
   EXPECT_EQ(worst_of_nodes(all_thirds), 1);
   for (const int thirds : {3, thirds_of_first_format}) EXPECT_EQ(worst_of_nodes(thirds), 2);
 }
 
-// Files say how their nodes are rounded; those of the first format could not, nor did they tell shells.
+// Files say how their nodes are rounded and which shells they have; those of the first format do not.
 TEST(Asset, IsReadAsItIsRounded) {
   Asset a = asset();
   a.shell.clear();
@@ -172,7 +172,7 @@ TEST(Asset, IsReadAsItIsRounded) {
   const std::vector<std::uint8_t> coded = coded_nodes(a), first = coded_nodes(a, thirds_of_first_format);
   ASSERT_EQ(coded.size(), first.size());
 
-  // The same as it was written before there was a choice.
+  // The same asset in the format before this choice.
   const std::size_t nodes = plain.find(std::string(coded.begin(), coded.end()));
   ASSERT_NE(nodes, std::string::npos);
   plain.replace(nodes, first.size(), std::string(first.begin(), first.end()));
@@ -187,7 +187,8 @@ TEST(Asset, IsReadAsItIsRounded) {
   EXPECT_NE(read.node_color, read_asset(whole, "x.pomona").node_color);
 }
 
-// Another way to tell inside from outside: how often the shells wind around a point, by solid angles' columns.
+// An independent test of inside and outside: the winding number of the shells around a point, by columns of solid
+// angles.
 TEST(Asset, WindsAroundTheNodesThatBodiesEnclose) {
   const Asset& a = asset();
   const DiffusionSurfaces& surfaces = cherry().grown.sheets;
@@ -216,7 +217,7 @@ TEST(Asset, IsRefusedWhereItIsNone) {
     EXPECT_THAT(refusal(std::string_view(whole).substr(0, length)), testing::HasSubstr("cut off"));
 }
 
-// What is unpacked may say anything of itself.
+// An unpacked asset may claim anything.
 TEST(Asset, IsRefusedWhereItPointsOutsideItself) {
   const std::string whole = write_asset(asset(), "a test"), magic = whole.substr(0, 8);
   const std::string plain = *inflated(std::string_view(whole).substr(8), std::size_t{1} << 28);
@@ -237,7 +238,7 @@ TEST(Asset, IsRefusedWhereItPointsOutsideItself) {
   EXPECT_THAT(refusal(magic + deflated(std::string("\xff\xff\xff\x7f{}", 6))), testing::HasSubstr("header"));
 }
 
-// Each triangle across all of the grid costs a step for every row: a small file could take hours.
+// A triangle across the whole grid costs a step for every row: a small file could take hours.
 TEST(Asset, IsRefusedWhereItsTrianglesAreEndless) {
   EXPECT_LT(rows_to_ask(asset()), 1'000'000) << "of a cherry";
   Asset wide = asset();

@@ -52,7 +52,7 @@ void add_disc(CrossSection& section, int face) {
   plane.origin = {0, 0, z};
   section.faces.push_back(plane);
 
-  // Core to flesh in three soft rings; flesh and skin meet in two rings at one place.
+  // From core to flesh in three soft rings; flesh and skin meet in two rings at the same place.
   const std::uint32_t core = add_ring(section, 0.25 * radius, z, pale);
   const std::uint32_t middle = add_ring(section, 0.55 * radius, z, glm::mix(pale, red, 0.7f));
   const std::uint32_t flesh = add_ring(section, 0.9 * radius, z, red);
@@ -77,7 +77,7 @@ void add_disc(CrossSection& section, int face) {
   }
 }
 
-/// The part of a ball with its pole towards +Z turned away: polar angles from `from` (0 = +Z) to pi.
+/// The part of a ball at polar angles from `from` to pi (0 = +Z).
 Solid ball_part(double from) {
   constexpr int rings = 48;
   Solid solid;
@@ -147,7 +147,7 @@ Solid half_ball() {
   Solid solid = ball_part(pi / 2);
   solid.name = "half";
 
-  // The cap: rings from the centre to the skin, each band one colour step further.
+  // The cap: rings from the centre to the skin, with one step of colour per band.
   constexpr int bands = 12;
   const auto base = static_cast<std::uint32_t>(solid.mesh.position.size());
   for (int k = 0; k <= bands; ++k) {

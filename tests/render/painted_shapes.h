@@ -1,4 +1,4 @@
-// Made-up fruit for pictures: simple enough to know what every pixel should be.
+// Artificial fruit for pictures, so simple that every pixel is known.
 #pragma once
 
 #include "generator/cut/section/cross_section.h"
@@ -19,10 +19,10 @@ Solid ball();
 /// Its half where z <= 0, with a pale cut face towards +Z.
 Solid half_ball();
 
-/// A ball alone, without ground, seen from +Z.
+/// One ball without ground, seen from +Z.
 Scene ball_scene();
 
-/// Balls and halves lying about on the ground.
+/// Balls and halves on the ground.
 Scene still_life();
 
 }  // namespace pomona::testing

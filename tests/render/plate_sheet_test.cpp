@@ -1,4 +1,4 @@
-// A plate of several figures: rooms, numbers, legend.
+// A plate of several figures: boxes, numbers, legend.
 #include "render/picture/plate_sheet.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int width = 600, height = 750;
 
-/// A red disc that fills its room on bare paper; its upper half one part, its lower another.
+/// A red disc that fills its box on bare paper; its upper and lower half are two parts.
 SheetFigure disc(const PlateBox& room, const Color& paper, std::vector<std::string> names) {
   const int w = static_cast<int>(room.high.x - room.low.x), h = static_cast<int>(room.high.y - room.low.y);
   SheetFigure figure{{w, h, {}}, {w, h, {}, std::move(names)}, 1000};
@@ -67,7 +67,7 @@ TEST_F(Sheet, ShowsTheFiguresAsTheyAreAndPaperAroundThem) {
   const PlateSheet made = sheet(4);
   for (const PlateBox& room : made.rooms()) {
     const glm::ivec2 middle((room.low + room.high) * 0.5);
-    // In the middle of the room the paper has hardly browned; lines and dots are elsewhere but maybe for a few pixels.
+    // In the middle of the box the paper has hardly browned; only few pixels of lines and dots may be there.
     int red = 0;
     for (int dy = -10; dy <= 10; ++dy) {
       for (int dx = -10; dx <= 10; ++dx) {
@@ -80,7 +80,7 @@ TEST_F(Sheet, ShowsTheFiguresAsTheyAreAndPaperAroundThem) {
   EXPECT_EQ(image.at(3, 3), to_srgb8(paper.at(3, 3)));
 }
 
-/// A shadow that is wider than its room ends softly on the paper, and the fruit beside it does not fade.
+/// A shadow wider than its box ends softly on the paper, and the fruit does not fade.
 TEST_F(Sheet, LetsShadowsFadeBeforeTheyAreCutOff) {
   style_.plate->labels = style_.plate->scale_bar = false;
   const PlateSheet made = sheet(4);
@@ -98,7 +98,7 @@ TEST_F(Sheet, LetsShadowsFadeBeforeTheyAreCutOff) {
     const glm::ivec2 low(room.low), high(room.high), middle = (low + high) / 2;
     const int r = std::min(high.x - low.x, high.y - low.y) / 2 - 6;
     for (int y = low.y; y < high.y; ++y) {
-      if (std::abs(y - middle.y) < r / 2) continue;  // the fruit is as good as there
+      if (std::abs(y - middle.y) < r / 2) continue;  // too close to the fruit
       EXPECT_LE(darker(low.x, y), 2) << "at the room's left edge";
       EXPECT_LE(darker(high.x - 1, y), 2) << "at its right edge";
     }
@@ -107,7 +107,7 @@ TEST_F(Sheet, LetsShadowsFadeBeforeTheyAreCutOff) {
   }
 }
 
-/// The same parts in four figures have one number each: as much ink as one figure's, and letters and bars.
+/// The same parts in four figures have one number each: the ink of one figure's labels, plus letters and bars.
 TEST_F(Sheet, NumbersEachPartOnce) {
   const auto dark = [](const Image& image) {
     return std::count_if(image.pixels.begin(), image.pixels.end(),

@@ -1,4 +1,4 @@
-// Plates: letters, the places of labels, the bar's length; properties, not looks.
+// Properties of plates: letters, places of labels, the length of the bar.
 #include "render/plate/plate.h"
 
 #include <cmath>
@@ -122,7 +122,7 @@ TEST(PlateLabelsOfAThinSkin, PointAtItFromOutside) {
       if (label.text != "thin skin") continue;
       ++found;
       EXPECT_EQ(map.at(static_cast<int>(label.tip.x), static_cast<int>(label.tip.y)), 3);
-      // All the way up to the tip there is paper.
+      // There is paper all the way to the tip.
       const double length = glm::distance(label.leader, label.tip);
       for (double s = 0; s + 2 < length; s += 0.5) {
         const glm::dvec2 p = label.leader + (label.tip - label.leader) * (s / length);
@@ -192,7 +192,7 @@ TEST(ScaleBar, IsDrawnAtItsLength) {
   draw(plate.layers({640, 480, std::vector<std::int32_t>(640 * 480, -1), {}}, 4000), image);
   const Plate::ScaleBar bar = plate.scale_bar(4000);
 
-  // Ink along the row below the bar, where its ticks alone are: their outer edges are the ends.
+  // The row below the bar only has ink of the ticks: their outer edges are the ends of the bar.
   const int y = static_cast<int>(bar.start.y + 3);
   const auto inked = [&](int x) { return image.at(x, y).g < 250; };
   int first = 0, last = 639;

@@ -1,4 +1,4 @@
-// Relief: how high places stand, what normal maps make of it, and that no seam shows.
+// Relief: heights, normal maps, and seams that must not show.
 #include "render/style/relief.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ Solid plate_with_seed(double relief) {
   return plate;
 }
 
-/// A triangle of the plate around a place.
+/// The triangle of the plate that contains a place.
 std::uint32_t triangle_at(const Solid& plate, const glm::dvec3& place) {
   for (std::uint32_t t = 0; t < plate.mesh.triangle.size(); ++t) {
     const glm::uvec3& v = plate.mesh.triangle[t];
@@ -229,7 +229,7 @@ TEST(Warts, ShadersHaveAllOfThemBesideThePits) {
   EXPECT_GE(sunk, 1u);
 }
 
-/// Pits, or knobs, of 0.3 m on things that are a metre large.
+/// Pits or knobs of 0.3 m on solids of a metre.
 DetailSketch knobs(double relief) {
   DetailSketch detail;
   detail.kind = DetailKind::speckles;
@@ -267,7 +267,7 @@ TEST(ReliefOfDetails, SlopeIntegratesToHeight) {
 }
 
 TEST(ReliefOfDetails, OverATexelNeighboursPassIntoEachOther) {
-  // Walls a tenth of a texel wide: at places they are hit or missed, and single texels stand out.
+  // Walls a tenth of a texel wide: point samples hit or miss them, so that single texels stand out.
   DetailSketch walls = knobs(0.05);
   walls.kind = DetailKind::cells;
   walls.softness = 0;
@@ -356,7 +356,7 @@ TEST(Maps, TangentsAreUnitAcrossNormalsAndAlongU) {
   }
 }
 
-/// What a renderer makes of a map's normal at a place of an edge.
+/// The normal that a renderer computes from the map at a place of an edge.
 glm::dvec3 seen_normal(const BakedSolid& solid, std::uint32_t a, std::uint32_t b) {
   const Image& map = solid.maps.normal;
   const glm::dvec2 at = 0.5 * glm::dvec2(solid.uv[a] + solid.uv[b]) * glm::dvec2(map.width, map.height) - 0.5;

@@ -30,7 +30,7 @@ TEST(SceneParts, AreThoseOneLooksAt) {
   const PartMap map = scene_parts(scene, width, height);
   EXPECT_EQ(map.names, scene.solids[0].look->part_names);
 
-  // The face is a disc of 4 cm, seen at right angles at the distance of the target.
+  // The face is a disc of 4 cm at the distance of the target, seen at right angles.
   const Lens lens(scene.view, width, height);
   const double radius = 0.04 / lens.pixel_size(lens.seen({0, 0.04, 0}).z);
   EXPECT_NEAR(static_cast<double>(pixels_of(map, 1)), 3.14159265 * radius * radius,
@@ -43,7 +43,7 @@ TEST(SceneParts, AreThoseOneLooksAt) {
 
 TEST(SceneParts, HideWhatLiesBehind) {
   Scene scene = half_ball_scene();
-  scene.view.eye.z = -scene.view.eye.z;  // from behind: skin alone
+  scene.view.eye.z = -scene.view.eye.z;  // from behind: only skin
   const PartMap map = scene_parts(scene, width, height);
   EXPECT_GT(pixels_of(map, 0), 1000u);
   EXPECT_EQ(pixels_of(map, 1), 0u);

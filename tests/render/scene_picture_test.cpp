@@ -22,7 +22,7 @@
 namespace pomona {
 namespace {
 
-/// Pixels [red, green, blue, alpha] of a picture drawn by a fragment shader alone.
+/// The pixels [red, green, blue, alpha] of a picture that a fragment shader draws.
 std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragment, const NoiseStyle& noise, int width,
                                   int height, const Look* details = nullptr) {
   const GlTexture picture(gl, GL_RGBA8, width, height);
@@ -160,7 +160,7 @@ DetailSketch some_detail(DetailKind kind, DetailRun run) {
   return detail;
 }
 
-/// Where in a fruit each of 64 x 64 pixels lies, and its plain colour: for shaders, and for the processor.
+/// The place in a fruit and the plain colour of each of 64 x 64 pixels, for shaders and for the processor.
 constexpr const char* detail_places = R"(
 #include "detail.glsl"
 out vec4 color;
@@ -206,7 +206,7 @@ void main() {
           off += apart > 2 ? 1 : 0;
         }
       }
-      // Of two cells equally near, single precision may take the other one.
+      // Of two equally near cells, single precision may choose the other one.
       const bool of_cells = kind == DetailKind::cells;
       EXPECT_LE(off, of_cells ? 8 : 0) << int(kind) << " " << int(run) << " worst " << worst;
     }
@@ -219,7 +219,7 @@ TEST(Shaders, ReliefIsThatOfTheCpu) {
   const glm::dvec3 normal(0.6, 0.48, 0.64);
   for (const DetailRun run : {DetailRun::none, DetailRun::to_skin, DetailRun::along, DetailRun::around}) {
     for (const DetailKind kind : {DetailKind::fibres, DetailKind::cells, DetailKind::speckles, DetailKind::streaks}) {
-      // Two that stand out by different heights, and between them one that only has a colour.
+      // Two details of different heights, and between them one with only a colour.
       DetailSketch low = some_detail(DetailKind::fibres, run), high = some_detail(kind, run);
       low.relief = -0.1e-3, low.near = {};
       high.relief = 0.4e-3;
@@ -240,8 +240,8 @@ void main() {
         off += far ? 1 : 0;
         tilted_far += glm::length(relief.slope) > 0.05 ? 1 : 0;
       }
-      // Where two cells are equally near, or a rim lies between a place and the next, single precision may take the
-      // other side.
+      // If two cells are equally near, or a rim lies between neighbouring places, single precision may choose the other
+      // side.
       EXPECT_LE(off, 20) << int(kind) << " " << int(run);
       EXPECT_GT(tilted_far, 200) << int(kind) << " " << int(run);
     }
@@ -256,7 +256,7 @@ TEST(ScenePicture, ShowsARedBallInInkOnPaper) {
   EXPECT_GT(center.r, 120);
   EXPECT_LT(center.g, 110);
   EXPECT_GT(brightness(image.at(3, 3)), 600);
-  // Somewhere along the outline the line lies over a whole pixel.
+  // Somewhere on the outline the line covers a whole pixel.
   int darkest = 765;
   for (int y = 80; y < 160; ++y) {
     for (int x = 0; x < 160; ++x) darkest = std::min(darkest, brightness(image.at(x, y)));
@@ -289,7 +289,7 @@ TEST(ScenePicture, CastsAShadowOnTheGround) {
   EXPECT_GT(with, without + 500);
 }
 
-/// More samples soften edges and move nothing: the picture is the same but for the pixels along outlines.
+/// More samples soften edges and move nothing: only pixels along outlines change.
 TEST(ScenePicture, ShowsTheSameHoweverManySamplesAPixelHas) {
   GlContext context;
   const Scene scene = testing::still_life();

@@ -1,4 +1,4 @@
-// A section's colours as patches: they are the faces, and look like them.
+// A section's colours as patches: they cover the faces and have their colours.
 #include "render/picture/section_patches.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class Patches : public ::testing::Test {
     return section_patches(section_, faces_, look_, style_, options);
   }
 
-  /// Whether the picture's pixels there may show paper, too: within three pixels of one of the discs' rims.
+  /// True within three pixels of a disc's rim, where pixels may also show paper.
   bool near_rim(const glm::dvec2& place) const {
     return std::none_of(faces_.begin(), faces_.end(), [&](const PlacedFace& face) {
       const glm::dvec2 half = (face.high - face.low) * (0.5 * face.scale);
@@ -66,8 +66,7 @@ TEST_F(Patches, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(told(1), told(2));
 }
 
-/// At the middle of each patch the picture of the section shows its colour, but for what the picture smooths within a
-/// pixel.
+/// The picture of the section has the patch's colour at the patch's middle, apart from its smoothing within a pixel.
 TEST_F(Patches, HaveThePicturesColors) {
   const SectionPictureOptions options{.width = 320, .height = 240};
   const Image picture = paint_faces(section_, faces_, look_, InkStyle{}, style_, options);

@@ -47,7 +47,7 @@ TEST(SectionPicture, InksTheRim) {
   EXPECT_GT(brightness(image.at(1, 240)), 600);
 }
 
-/// They are one face, unrolled, and its rim is as long.
+/// The facets are one unrolled face with a rim of the same length.
 TEST(SectionPicture, InksNoLineBetweenTheFacetsOfAStroke) {
   const Knife knife{PlaneCut(StrokeKnife{{{-0.05, 0.02}, {0, 0.03}, {0.05, 0.02}}})};
   const DiffusionSurfaces box = shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint());
@@ -70,7 +70,7 @@ TEST(SectionPicture, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(SectionPicture, LaysSeveralFacesOutWithoutOverlap) {
-  // Equal discs: the red area grows with the square of the scale, and is the same number of times that of one.
+  // Equal discs: the red area is the number of discs times that of one, and grows with the square of the scale.
   const auto fruit_pixels = [](const Image& image) {
     return std::count_if(image.pixels.begin(), image.pixels.end(), [](const glm::u8vec3& c) { return c.g < 120; });
   };
@@ -102,7 +102,7 @@ TEST(Png, ComesBackAsItWas) {
   EXPECT_EQ(back.pixels, image.pixels);
 }
 
-/// A section's picture is drawn band by band: nothing may show where bands meet, and rows count from the picture's top.
+/// A section's picture is drawn in bands: no seam may show between bands, and rows count from the picture's top.
 TEST(InkedPixels, AreTheSameWhateverRowsAreAskedFor) {
   const StrokePoint a{{3.3, 2.1}, 1.7, 1}, b{{17.9, 36.4}, 2.9, 0.5};
   std::map<std::pair<int, int>, int> whole, in_bands;
@@ -130,7 +130,7 @@ TEST(Png, SaysWhereItEndsTooEarly) {
   EXPECT_THAT(message_of_png(bytes.substr(0, 20)), ::testing::HasSubstr("it ends too early"));
 }
 
-/// CRC-32 as PNG wants it of a chunk.
+/// The CRC-32 of a PNG chunk.
 std::uint32_t png_checksum(const std::string& chunk) {
   std::uint32_t sum = 0xffffffffu;
   for (const char c : chunk) {
@@ -140,7 +140,7 @@ std::uint32_t png_checksum(const std::string& chunk) {
   return ~sum;
 }
 
-/// The head of a picture with 9000 x 9000 pixels.
+/// The header of a picture with 9000 x 9000 pixels.
 TEST(Png, ThatCannotHoldItsPixelsIsRefusedBeforeTheyAreSetAside) {
   std::string bytes = write_png(drawn_disc("plain", 1, 1, 64, 64));
   bytes.replace(16, 8, std::string("\0\0\x23\x28\0\0\x23\x28", 8));

@@ -1,4 +1,4 @@
-// Parts that pass softly into each other shine alike where they meet.
+// Parts with a soft border have the same shine where they meet.
 #include "render/texture/shine.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(Shine, OfPartsThatLookAlikeIsTheSameFromBothSides) {
   EXPECT_EQ(left.film, 0) << "the rind has none";
   EXPECT_EQ(right.film, 0);
 
-  // Away from it each is as its material says.
+  // Away from the border each has its material's values.
   EXPECT_NEAR(shine.at(1, {0, 0, 1}).roughness, flesh, 1e-12);
   EXPECT_EQ(shine.at(1, {0, 0, 1}).film, 1);
   EXPECT_NEAR(shine.at(2, {0, 1, 0}).roughness, rind, 1e-12);

@@ -44,7 +44,7 @@ double length_of(const std::vector<SceneStroke>& strokes) {
   return length;
 }
 
-/// Two balls side by side as one sees it; the left one stands nearer to the eye.
+/// Two balls side by side in the picture; the left one is nearer to the eye.
 Scene overlapping_balls() {
   Scene scene = testing::ball_scene();
   scene.view.vertical_field = 0.9;
@@ -109,8 +109,8 @@ TEST(Strokes, EndWhereSomethingElseLiesBefore) {
   }
 }
 
-/// A face one looks along, as of a leaf that leans: lines at its borders may lie on what it shows far before them,
-/// never on what belongs to another.
+/// A face seen at a grazing angle, like a leaning leaf: lines at its borders may lie on parts of it far in front of
+/// them, but never on another piece.
 Solid steep_strip() {
   Solid strip;
   strip.name = "strip";
@@ -176,7 +176,7 @@ TEST(Strokes, LieOverNoOtherThatGoesTheSameWay) {
 }
 
 TEST(SeenSolids, AreVisitedOnceInTheirOrderSomeAtATime) {
-  // Seen together, all of them would take as much memory as there are instances.
+  // Processed together, they would take memory for all instances.
   Scene scene;
   Solid large;
   large.mesh.position.assign(600'000, glm::vec3(0, 0, 0.01f));
@@ -231,10 +231,10 @@ TEST(Strokes, OfALargePictureAreThoseOfASmallOne) {
   EXPECT_NEAR(large / small, 4, 0.1);
 }
 
-/// What a step of the camera changes.
+/// The changes between two pictures after a step of the camera.
 struct Flicker {
-  double moved = 0;   ///< pixels that 99 % of the ink moves by at most, beyond what the picture moves
-  double lost = 0;    ///< share of the ink that has none within two pixels in the next picture
+  double moved = 0;   ///< 99th percentile of the ink's motion in pixels, beyond the picture's own motion
+  double lost = 0;    ///< share of the ink without ink within two pixels in the next picture
   int strokes = 0;    ///< difference of their numbers
   double change = 0;  ///< mean change of the inked pixels' coverage
 };
@@ -246,7 +246,7 @@ Scene seen_from(Scene scene, double degrees) {
   return scene;
 }
 
-/// The farthest that a vertex moves on the picture.
+/// The maximum motion of a vertex on the picture.
 double max_motion(const Scene& a, const Scene& b, const StrokeOptions& options) {
   const Lens before(a.view, options.width, options.height), after(b.view, options.width, options.height);
   double max = 0;
@@ -310,7 +310,7 @@ TEST(Strokes, DoNotFlickerWhenTheCameraMoves) {
   }
 }
 
-/// Two halves of a template, as it is drawn, with their cut faces undiffused: strokes go by the rims and the skin.
+/// Two halves of a template as drawn, without diffused cut faces: strokes only need rims and skin.
 Scene halves_of(const std::string& name) {
   const Template fruit = read_template(std::filesystem::path(POMONA_SOURCE_DIR) / "templates" / (name + ".toml"));
   GrowOptions as_drawn;
@@ -327,8 +327,8 @@ Scene halves_of(const std::string& name) {
 
 class StrokesOfFruit : public ::testing::TestWithParam<std::string> {};
 
-/// Limits wider than those of balls: a real rim has hundreds of corners, and an onion has roots whose outlines end
-/// where they enter the skin.
+/// Wider limits than for balls: a real rim has hundreds of corners, and the outlines of an onion's roots end in the
+/// skin.
 TEST_P(StrokesOfFruit, DoNotFlickerWhenTheCameraMoves) {
   const Scene scene = halves_of(GetParam());
   const StrokeOptions options{.width = 400, .height = 300};

@@ -1,4 +1,4 @@
-// Styles as files: what they say, and every mistake where it is.
+// Style files: their values, and every error with its place.
 
 #include <filesystem>
 #include <fstream>
@@ -35,7 +35,7 @@ TEST(StyleFile, AsksForMarks) {
   EXPECT_EQ(hatching.marks->kind, MarkKind::hatching);
   EXPECT_EQ(hatching.marks->spacing + hatching.marks->width + hatching.marks->wash, 0.02 + 0.01 + 0.5);
 
-  // Dots are finer than lines unless something else is said.
+  // By default dots are finer than lines.
   const Style stipple = parse_style(head + "[marks]\nkind = \"stipple\"\n", "mine.toml");
   EXPECT_EQ(stipple.marks->kind, MarkKind::stipple);
   EXPECT_LT(stipple.marks->width, MarkStyle{}.width);

@@ -72,7 +72,7 @@ TEST(Thumbnail, ShowsThePieceOpaqueAndTheGroundThroughTheShadow) {
   for (const auto& [x, y] : {std::pair(0, 0), {63, 0}, {0, 63}, {63, 63}})
     EXPECT_EQ(image.opacity[pixel(image, x, y)], 0);
 
-  // There is a shadow, dark and half see-through.
+  // There is a dark, half transparent shadow.
   const auto is_shadow = [&](std::size_t i) {
     return image.opacity[i] > 20 && image.opacity[i] < 200 && image.image.pixels[i].r < 120;
   };
@@ -89,7 +89,7 @@ TEST(Thumbnail, OnPaperNothingIsSeeThrough) {
 }
 
 TEST(Thumbnail, KeepsTheColoursOfCutFacesAndOfSkin) {
-  // Without ink, the face that looks up is grey and lighter than the skin, which is red.
+  // Without ink, the upper face is grey and lighter than the red skin.
   Style style;
   style.ink = false;
   const TransparentImage image = drawn(style, {.size = 64});

@@ -1,4 +1,4 @@
-// What light does in a part, from what its template says or from what it is called.
+// Light within a part, from its template's values or from its name.
 #include "render/style/tissue_light.h"
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using Corners = std::array<glm::dvec2, 3>;
 
-/// The corners' exact shares of a point, which sum to 1; the triangle has an area.
+/// The exact barycentric coordinates of a point, for a triangle with an area.
 std::array<Rational, 3> exact_shares(const Corners& corner, const glm::dvec2& point) {
   const auto area = [](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     const Rational ax(a.x), ay(a.y), bx(b.x), by(b.y), cx(c.x), cy(c.y);
@@ -33,8 +33,8 @@ bool has_area(const Corners& c) {
 }
 
 constexpr PixelBox picture{0, 0, 15, 15};
-constexpr std::int64_t unit = 8;                                            // fixed-point steps a pixel
-constexpr RasterSamples<std::int64_t> fixed_samples{2, 4, {0, 0, 31, 31}};  // two by two a pixel
+constexpr std::int64_t unit = 8;                                            // fixed-point steps per pixel
+constexpr RasterSamples<std::int64_t> fixed_samples{2, 4, {0, 0, 31, 31}};  // two by two samples per pixel
 constexpr RasterSamples<double> middles{0.5, 1, picture};
 
 TriangleRaster<std::int64_t> fixed_raster(const Corners& c) {
@@ -81,7 +81,7 @@ std::vector<Corners> tiles(std::uint64_t seed) {
     for (std::uint64_t x = 0; x < side; ++x) {
       const glm::dvec2 &a = place[y][x], &b = place[y][x + 1], &c = place[y + 1][x + 1], &d = place[y + 1][x];
       const bool other = random.below(1000 + y * side + x, 2) == 1;
-      // Every second one turns the other way.
+      // Every second one has the opposite orientation.
       triangles.push_back(other ? Corners{a, b, d} : Corners{a, b, c});
       triangles.push_back(other ? Corners{b, d, c} : Corners{a, d, c});
     }

@@ -1,4 +1,4 @@
-// Ground truth as OpenEXR, read back by OpenEXR.
+// Ground truth as OpenEXR, read by OpenEXR.
 #include "render/truth/truth_exr.h"
 
 #include <ImfChannelList.h>
@@ -28,7 +28,7 @@ constexpr int width = 160, height = 120;
 
 struct ReadExr {
   std::map<std::string, std::vector<float>> channel;
-  std::map<std::string, std::string> text;  ///< of the header's text entries
+  std::map<std::string, std::string> text;  ///< the header's text entries
 };
 
 ReadExr read_exr(const std::string& bytes) {
@@ -91,7 +91,7 @@ TEST(TruthExr, HoldsTheLayersAsTheyAre) {
   }
 }
 
-/// The id under which a kind's entries stand in the header.
+/// The id of a kind's entries in the header.
 std::string key_of(const ReadExr& exr, const std::string& kind) {
   for (const auto& [key, value] : exr.text) {
     if (key.starts_with("cryptomatte/") && key.ends_with("/name") && value == kind)
@@ -101,7 +101,7 @@ std::string key_of(const ReadExr& exr, const std::string& kind) {
   return {};
 }
 
-/// As a compositor does: names by the manifest, their shares of pixels from the ranks.
+/// Like a compositor: names by the manifest, shares of pixels from the ranks.
 TEST(TruthExr, HasCryptomattesThatTellWhatCoversPixels) {
   const Scene scene = hiding_balls();
   const ReadExr exr = truth_of(scene);

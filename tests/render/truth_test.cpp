@@ -1,4 +1,4 @@
-// Ground truth of pictures: what each pixel is said to show is what a ray through it meets.
+// Ground truth of pictures: the value of each pixel is what a ray through it hits.
 #include "render/truth/ground_truth.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ using nlohmann::json;
 
 constexpr int width = 320, height = 240;
 
-/// Whole and half balls that hide each other; nothing on the ground but paper.
+/// Whole and half balls that hide each other, on paper.
 Scene hiding_balls() {
   Scene scene = testing::still_life();
   scene.ground = false;
@@ -48,10 +48,11 @@ struct Hit {
   bool section = false;
 };
 
-/// What a ray through a pixel's middle meets first [Moeller and Trumbore 1997]: every triangle of every instance asked.
+/// The first hit of a ray through a pixel's middle [Moeller and Trumbore 1997], by testing every triangle of every
+/// instance.
 Hit cast(const Scene& scene, int x, int y) {
   const Lens lens(scene.view, width, height);
-  const glm::dvec3 from = lens.eye(), way = lens.in_scene({x + 0.5, y + 0.5}, 1) - from;  // depth 1 a step
+  const glm::dvec3 from = lens.eye(), way = lens.in_scene({x + 0.5, y + 0.5}, 1) - from;  // one step is a depth of 1
   Hit nearest;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Pose& pose = scene.instances[i].pose;
@@ -114,13 +115,13 @@ TEST(GroundTruth, PartsAreThoseOfTheNearestVertex) {
   for (std::size_t i = 0; i < layers.part.size(); ++i) {
     if (layers.instance[i] == 0) continue;
     const TruthNaming::Part& part = names.parts.at(layers.part[i] - 1u);
-    // Of half balls, the cut face is flesh and the rest skin.
+    // The cut face of a half ball is flesh, the rest skin.
     EXPECT_EQ(part.name, layers.section[i] != 0 ? "flesh" : "skin");
     EXPECT_EQ(part.species, names.fruit(layers.fruit[i]).species);
   }
 }
 
-/// The instance as if it were alone.
+/// The scene with only this instance.
 Scene alone(const Scene& scene, std::size_t instance) {
   Scene one = scene;
   one.instances = {scene.instances[instance]};
@@ -212,7 +213,7 @@ TruthOptions options() {
   return {.width = width, .height = height, .file_name = "balls.png", .made_by = "pomona", .seed = 7};
 }
 
-/// Each key that COCO's data format names for object detection, and that the figures agree with the masks.
+/// All keys of COCO's format for object detection are there, and numbers agree with the masks.
 TEST(Annotations, HaveCocosKeysAndAgreeWithTheMasks) {
   const Scene scene = hiding_balls();
   const std::vector<TruthFile> files = ground_truth(scene, options());
@@ -232,7 +233,7 @@ TEST(Annotations, HaveCocosKeysAndAgreeWithTheMasks) {
     EXPECT_EQ(one.at("iscrowd"), 0);
     EXPECT_EQ(one.at("segmentation").at("size"), json({height, width}));
 
-    // Area and box are those of the pixels with this id; so is the segmentation.
+    // Area, box and segmentation are those of the pixels with this id.
     const std::vector<bool> seen = unpacked(one.at("segmentation")), whole = unpacked(one.at("amodal_segmentation"));
     int area = 0, amodal = 0, left = width, right = -1, top = height, bottom = -1;
     for (int y = 0; y < height; ++y) {
@@ -262,10 +263,10 @@ TEST(Annotations, HaveCocosKeysAndAgreeWithTheMasks) {
 
 TEST(Annotations, ListApartWhatIsHiddenAltogether) {
   Scene scene = hiding_balls();
-  scene.instances.push_back(scene.instances[0]);  // the same once more, a little farther away
+  scene.instances.push_back(scene.instances[0]);  // the same again, a little farther away
   scene.instances.back().pose.translation += 0.2 * (scene.instances[0].pose.translation - scene.view.eye);
   scene.instances.back().name = "behind";
-  scene.instances.push_back(scene.instances[0]);  // behind the eye: nowhere
+  scene.instances.push_back(scene.instances[0]);  // behind the eye: not visible
   scene.instances.back().pose.translation = 2.0 * scene.view.eye;
   const json all = json::parse(file(ground_truth(scene, options()), "annotations.json"));
   EXPECT_EQ(all.at("annotations").size(), 4u);
@@ -274,7 +275,7 @@ TEST(Annotations, ListApartWhatIsHiddenAltogether) {
   EXPECT_EQ(all.at("hidden").at(0).at("occlusion"), 1);
 }
 
-/// A camera of what `images` says puts centres of mass where the pixels of their instances are.
+/// The camera in `images` projects centres of mass onto the pixels of their instances.
 TEST(Annotations, CameraProjectsIntoThePicture) {
   const Scene scene = hiding_balls();
   const json all = json::parse(file(ground_truth(scene, options()), "annotations.json"));
@@ -335,8 +336,8 @@ TEST(GroundTruth, OfWhatOneSeesThroughIsRefused) {
   EXPECT_THROW(ground_truth(scene, options()), Error);
 }
 
-/// Well inside and well outside of outlines the picture by OpenGL shows what the ids say: there a pixel's samples and
-/// its middle lie in the same instance.
+/// Away from outlines OpenGL's picture agrees with the ids: there all samples and the middle of a pixel lie in the same
+/// instance.
 TEST(GroundTruth, AgreesWithThePictureByOpenGl) {
   Scene scene = hiding_balls();
   scene.paper = Color(0, 0, 1);  // nothing else is blue
@@ -354,7 +355,7 @@ TEST(GroundTruth, AgreesWithThePictureByOpenGl) {
       const bool is_paper = color.b > 200 && color.r < 30;
       ASSERT_TRUE(covered != 0 || is_paper) << x << " " << y;
       ASSERT_TRUE(covered != 9 || color.b < color.r) << x << " " << y;
-      // On outlines, no pixel whose middle is paper is fruit at all samples, nor the other way round.
+      // On outlines, no pixel with its middle on paper has fruit at all samples, nor the reverse.
       const bool is_covered = layers.instance[layers.pixel(x, y)] != 0;
       ASSERT_TRUE(is_covered ? !is_paper : color.b > 125) << x << " " << y;
       paper += covered == 0 ? 1 : 0;

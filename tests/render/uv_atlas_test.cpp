@@ -1,4 +1,4 @@
-// Charts and the atlas: every triangle has its place, little is stretched, and mip levels keep charts apart.
+// Charts and the atlas: every triangle has its place, stretch is small, and mip levels keep charts apart.
 #include "render/texture/uv_atlas.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ namespace {
 using named::ball;
 using named::half_ball;
 
-/// What is left of a fruit with grains, sheets and chambers where a ball and a corer have been.
+/// A fruit with grains, sheets and chambers after cuts by a ball and a corer.
 Solid hollowed() {
   const DiffusionSurfaces fruit = shapes::seeded_fruit();
   Template painted;
@@ -65,7 +65,7 @@ TEST(Charts, HardlyStretchCurvedCutFaces) {
   EXPECT_GT(curved, 2);
 }
 
-/// Where a curved face is parted for its charts, nothing is to be drawn; where it ends at the skin, its rim is.
+/// Seams between charts of a curved face get no line; its rim at the skin does.
 TEST(Charts, KnowTheSeamsOfCurvedCutFaces) {
   const Solid solid = hollowed();
   const auto place = [&](std::uint32_t v) {
@@ -131,7 +131,7 @@ TEST(Charts, OfABallAreFewAndHardlyStretched) {
   EXPECT_LT(worst, 1.6);
 }
 
-/// A vertex that lies on an edge but for rounding makes a triangle that the plane shows as it likes.
+/// A vertex that lies on an edge up to rounding makes a triangle whose shape in the plane is arbitrary.
 TEST(Flatten, MeasuresNoStretchOfTrianglesTooNarrowToBeSeen) {
   const Patch3 patch{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5, -1e-16, 0}}, {{0, 1, 2}, {0, 3, 1}}};
   std::vector<glm::dvec2> flat = {{0, 0}, {1, 0}, {1, 1}, {0.5, -1e-3}};
@@ -152,7 +152,7 @@ TEST(Flatten, FindsTrianglesThatLieOnOthers) {
   EXPECT_EQ(overlapping(triangles, flat), std::vector<std::uint32_t>{2});
 }
 
-/// Which block of which chart each look-up of a bilinear filter at `level` reads.
+/// The owners of the four texels that a bilinear filter reads at `level`.
 std::array<std::int32_t, 4> owners_at(const Atlas& atlas, const glm::dvec2& texel, int level) {
   const double width = 1 << level;
   const glm::ivec2 low(glm::floor(texel / width - 0.5));
@@ -175,7 +175,7 @@ void expect_apart(const std::vector<Chart>& charts, const Atlas& atlas) {
       const glm::dvec2 p =
           atlas.texel(charts, c, t.x) * (1 - u - v) + atlas.texel(charts, c, t.y) * u + atlas.texel(charts, c, t.z) * v;
       for (int level = 0; level <= atlas.mip_levels; ++level) {
-        if (atlas.speck[c] != 0 && level > 0) continue;  // reads its own block with all the weight
+        if (atlas.speck[c] != 0 && level > 0) continue;  // reads its own block with full weight
         for (const std::int32_t owner : owners_at(atlas, p, level)) ASSERT_EQ(owner, static_cast<std::int32_t>(c));
       }
     }
@@ -200,7 +200,7 @@ TEST(Atlas, GivesUpMipLevelsRatherThanTexels) {
   EXPECT_LT(packed_to_side(charts, 32, 3).atlas.mip_levels, 3);
 }
 
-/// Six equal circles cover two thirds of a square at most, and a ball's six charts are nearly that, with blocks around.
+/// Six equal circles cover at most two thirds of a square; a ball's six charts are nearly circles, plus their borders.
 TEST(Atlas, IsWellFilled) {
   const auto filled = [](const Solid& solid) {
     const std::vector<Chart> charts = charts_of(solid);
@@ -210,7 +210,7 @@ TEST(Atlas, IsWellFilled) {
   EXPECT_GT(filled(half_ball()), 0.63);
 }
 
-/// Flat cut faces lie as they did; curved charts are turned, and keep their shape.
+/// Flat cut faces are not turned; curved charts are turned and keep their shape.
 TEST(Atlas, TurnsCurvedChartsAlone) {
   const std::vector<Chart> charts = charts_of(half_ball());
   const std::vector<Chart> placed = packed_to_side(charts, 512, 3).charts;
@@ -233,7 +233,7 @@ TEST(Atlas, TurnsCurvedChartsAlone) {
   EXPECT_GT(turned, 0);
 }
 
-/// One mip level further: means of two by two texels in linear light, as graphics cards make them of sRGB textures.
+/// The next mip level: means of two by two texels in linear light, as graphics cards compute them for sRGB textures.
 struct LinearImage {
   int width = 0, height = 0;
   std::vector<glm::dvec3> pixels;
@@ -262,7 +262,7 @@ glm::dvec3 bilinear(const LinearImage& image, const glm::dvec2& uv) {
 }
 
 TEST(Atlas, NoForeignColourComesInWithinThePromisedMipLevels) {
-  // Skin pure green, face pure red: any other channel is another chart's, or nobody's.
+  // Skin pure green, face pure red: any other channel comes from another chart, or from none.
   Solid solid = half_ball();
   for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     for (int k = 0; k < 3; ++k)

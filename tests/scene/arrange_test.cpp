@@ -48,7 +48,7 @@ SettleOptions with(const PieceArrangement& how) {
   return options;
 }
 
-/// Highest and lowest place of a solid in its pose.
+/// The bounding box of a solid in its pose.
 Box<double> placed_box(const Solid& solid, const Pose& pose) {
   Box<double> box;
   for (const glm::vec3& p : solid.mesh.position) box.add(pose.rotation * glm::dvec3(p) + pose.translation);
@@ -69,7 +69,7 @@ TEST(Arrange, AGridHasItsSpacingAndLiesOnTheBoard) {
   }
 }
 
-/// Up to what a ball's samples, 2 mm apart, miss of its width.
+/// The tolerance is the error of a ball's samples, 2 mm apart.
 TEST(Arrange, RowsKeepTheirGap) {
   const std::vector<Solid> solids{ball(0.02), ball(0.03)};
   const Solid board = slab({0.6, 0.02, 0.3});
@@ -79,11 +79,11 @@ TEST(Arrange, RowsKeepTheirGap) {
     EXPECT_NEAR(settled.poses[i].translation.x - settled.poses[i - 1].translation.x, 0.054, 8e-4) << i;
 }
 
-/// Every piece touches the hill, which is no plane, and none another; and all of the hill is strewn.
+/// Every piece touches the hill, which is not flat, and no other piece; and pieces lie on all parts of the hill.
 TEST(Arrange, ScatteredPiecesLieOnTheMesh) {
   const std::vector<Solid> solids{ball(0.01), heap_shapes::wedge(0.012, 90)};
   const Solid hill = ball(0.15);
-  Solid half = hill;  // the lower half is cut off by moving it below the ground's level
+  Solid half = hill;  // the lower half is moved below the ground
   for (glm::vec3& p : half.mesh.position) p.y = std::max(p.y, 0.0f);
   const Settled settled =
       settle(solids, arranged_items(60, 2), on(half), with({.kind = PieceArrangementKind::scatter, .gap = 0.002}));
@@ -111,7 +111,7 @@ TEST(Arrange, WhatIsCutFallsInItsOrder) {
   for (int i = 0; i < count; ++i) {
     slices.push_back(heap_shapes::disc(0.02, 0.006));
     for (glm::vec3& p : slices.back().mesh.position) p.y += 0.006f * static_cast<float>(i);
-    // As a knife leaves them in no particular order.
+    // In arbitrary order.
     items.push_back({.solid = (4 * i) % count, .name = "slice-" + std::to_string((4 * i) % count), .arrangement = 0});
   }
   const Solid board = slab({0.4, 0.02, 0.3});
@@ -124,7 +124,7 @@ TEST(Arrange, WhatIsCutFallsInItsOrder) {
   EXPECT_TRUE(std::is_sorted(along.begin(), along.end())) << testing::PrintToString(along);
 }
 
-/// Slices across the z axis look along it, to either side: the first axis they have any of is the last there is.
+/// Slices across z face +z or -z, so that z, the last axis, must be found.
 TEST(Arrange, WhatIsCutFromFrontToBackFallsInItsOrder) {
   for (const float side : {1.0f, -1.0f}) {
     std::vector<Solid> slices;
@@ -133,7 +133,7 @@ TEST(Arrange, WhatIsCutFromFrontToBackFallsInItsOrder) {
       slices.push_back(heap_shapes::disc(0.02, 0.006));
       for (glm::vec3& p : slices.back().mesh.position)
         p = {p.x, -side * p.z, side * p.y + 0.006f * static_cast<float>(i)};
-      // One face alone is cut: all look the same way.
+      // Only one face is cut: all slices face the same way.
       for (std::size_t t = 0; t < slices.back().mesh.triangle.size(); ++t) {
         const glm::uvec3& corner = slices.back().mesh.triangle[t];
         const std::vector<glm::vec3>& at = slices.back().mesh.position;
@@ -202,7 +202,7 @@ TEST(Arrange, WhatCannotBeIsNamed) {
   for (SettleItem& item : items) item.place = {"scene.toml", 7, 8, {}};
   const Solid board = slab({0.3, 0.02, 0.2}), wall = heap_shapes::upright_sheet(0.2);
 
-  // No hollow; more than fit; nothing that looks upwards.
+  // A dish without a hollow; too many pieces; a mesh without an upper side.
   std::vector<SettleItem> falling = items;
   for (SettleItem& item : falling) item.arrangement = -1;
   expect_refused(ExitStatus::bad_data, "\"tray\" has no hollow", [&] { settle(solids, falling, in(board)); });

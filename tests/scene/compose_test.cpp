@@ -65,7 +65,7 @@ TEST(Compose, CopiesShareOneSolid) {
   EXPECT_THAT(parts.items[1].name, testing::EndsWith(".copy-2"));
 }
 
-/// A ball out of the middle, and what is around it.
+/// A ball cut from the middle, and the rest.
 TEST(Compose, PiecesWithoutSkinArePieces) {
   const std::string balls =
       "[[pieces]]\nname = \"ball\"\ntemplate = \"radish\"\nas_drawn = true\nknives = [\"ball:8mm,at=0,32mm,0\"]\n";
@@ -86,7 +86,7 @@ TEST(Compose, ATemplateThatIsNotThereIsToldInTheScene) {
   }
 }
 
-/// Shares of a total come out whole, and each piece is placed as often as the others of its entry, or once more.
+/// Shares of a total are whole numbers, and the pieces of an entry are placed equally often, up to one.
 TEST(Compose, SharesAreDealtOut) {
   const std::string shared = "total = 11\n" + wedges + "share = 2\n" + rings + "share = 1\n";
   const SceneParts parts = make_parts(parse_scene(head + shared, "a.toml"), nullptr, coarse());
@@ -107,8 +107,7 @@ TEST(Compose, SizesAreTimesTheVariantsOwn) {
   EXPECT_NEAR(radius(small), 0.5 * radius(plain), 1e-3);
 }
 
-/// Where solids are taken on their way, all are, once, in the scene's order; what is left of them is enough to settle
-/// them.
+/// Solids that are streamed are taken once each, in the scene's order; what remains of them is enough to settle.
 TEST(Compose, SolidsAreTakenInTheirOrderAndTheirLooksLetGo) {
   const std::string many = "[bowl]\nprofile = \"M 0 0 L 80 0 L 130 -60 L 126 -60 L 78 -4 L 0 -4\"\n" + wedges +
                            "count = 20\ntotal = 30\n" + rings;
@@ -152,7 +151,7 @@ TEST(Compose, WhatTakesSolidsMayFail) {
   }
 }
 
-/// Two crates from one mesh share a solid, and their heaps lie where they stand.
+/// Two crates with one mesh share a solid, and each heap lies in its crate.
 class Dishes : public testing::Test {
  protected:
   Dishes() {
@@ -164,7 +163,7 @@ class Dishes : public testing::Test {
     return parse_scene(head + text, (folder_.path() / "a.toml").string());
   }
 
-  /// Thirty centimetres by twenty, eight high, in centimetres.
+  /// A tray of 30 x 20 cm, 8 cm high, in centimetres.
   static std::string tray() {
     std::string text;
     int first = 1;
@@ -260,7 +259,7 @@ TEST_F(Dishes, ThatCannotBeAreToldInTheScene) {
               testing::AllOf(testing::StartsWith(file + ":7:8: error: "), testing::HasSubstr("no hollow")));
 }
 
-/// A smaller salad, coarse and uncoloured: all pieces touch without overlap, and lie in the bowl.
+/// A smaller salad, coarse and without colours: all pieces touch without overlap and lie in the bowl.
 TEST(Compose, TheSaladSettles) {
   SceneDescription scene = read_scene(source_dir / "scenes/salad.toml");
   scene.total = 40;

@@ -1,4 +1,4 @@
-// What may be wrong with a settled piece: limits met from both sides.
+// Faults of a settled piece, just below and just above each limit.
 #include "generator/scene/settle/faults.h"
 
 #include <gtest/gtest.h>

@@ -21,7 +21,7 @@ TEST(FitCheck, MeasuresGapsAndOverlapsOfBalls) {
   FitCheck check(solids, {0, 0, 0}, stand, {});
   const double size = glm::length(glm::dvec3(0.04));
 
-  // One on the floor with a gap of 1 mm; two that overlap by 2 mm, high above it.
+  // One ball 1 mm above the floor; two balls high above that overlap by 2 mm.
   const std::vector<Pose> poses{at(0.2, 0.021), at(0, 0.1), at(0.038, 0.1)};
   const std::vector<Fit> fits = check.measure(poses);
   EXPECT_NEAR(fits[0].gap * size, 0.001, 1e-4);
@@ -44,14 +44,14 @@ TEST(FitCheck, MeasuresNothingAgainstWhatLiesNowhere) {
   const PlacedMesh stand = floor();
   FitCheck check(solids, {0, 0, 0}, stand, {});
 
-  // The second would lie within both others, but it has found no room.
+  // The second would overlap both others, but it was not placed.
   const std::vector<Pose> poses{at(0, 0.0201), at(0.02, 0.0201), at(0.0401, 0.0201)};
   const std::vector<Fit> fits = check.measure(poses, std::vector<std::size_t>{1});
   for (const std::size_t i : {0u, 2u}) EXPECT_EQ(fits[i].penetration, 0) << i;
   EXPECT_GT(check.measure(poses)[0].penetration, 0.1) << "it lies there now";
 }
 
-/// What it remembers makes no difference.
+/// Its cache does not change results.
 TEST(FitCheck, MeasuresTheSameAgainAndAfterMoves) {
   const std::vector<Solid> solids{heap_shapes::ball(0.02), heap_shapes::wedge(0.03, 90)};
   const PlacedMesh stand = floor();

@@ -1,4 +1,4 @@
-// A fitted view has everything in it, and nothing nearer has.
+// A fitted view contains everything, and no nearer view does.
 #include "generator/scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace pomona {
 namespace {
 
-/// Points in no order, all in one instance that is turned and moved.
+/// Random points in one instance that is turned and moved.
 Scene cloud() {
   Solid solid;
   for (int i = 0; i < 200; ++i) {
@@ -32,7 +32,7 @@ Scene cloud() {
   return scene;
 }
 
-/// How much of the picture is filled, -1 to 1 to the right and upwards.
+/// The filled part of the picture, -1 to 1 to the right and upwards.
 struct Filled {
   glm::dvec2 low{1e9}, high{-1e9};
 };

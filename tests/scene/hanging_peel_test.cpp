@@ -1,4 +1,4 @@
-// A peel that came off in a strip hangs, its turns apart; other pieces are as they were.
+// A peel in a strip hangs with its turns apart; other pieces do not change.
 #include "generator/scene/hanging_peel.h"
 #include "generator/mesh/moments.h"
 
@@ -34,12 +34,12 @@ Box<double> bounds_of(const Solid& solid) {
   return box;
 }
 
-/// The one of a ball's two pieces that hangs.
+/// The piece of a ball that hangs.
 struct Peel {
   Solid lying, hanging;
-  int count = 0;  ///< of pieces that hang
+  int count = 0;  ///< number of pieces that hang
 };
-/// Peeled once for all tests: a strip takes a peeler seconds.
+/// Peeled once for all tests, because a strip takes seconds.
 const std::vector<Solid>& peeled_ball() {
   static const std::vector<Solid> pieces = pieces_of({"peel:2mm,spiral=16mm"});
   return pieces;
@@ -63,7 +63,7 @@ TEST(HangingPeel, IsTheStripAlone) {
   }
 }
 
-/// A ball with a chamber beside its axis, as an apple has them: every half-plane through the chamber parts it in two.
+/// A ball with a chamber beside its axis, as in an apple: a half-plane through the chamber cuts it into two areas.
 DiffusionSurfaces ball_with_a_chamber(const glm::dvec3& chamber) {
   DiffusionSurfaces ball = shapes::hollow_ball(0.03, 0.005, 8);
   for (glm::vec3& p : ball.position) {
@@ -73,7 +73,7 @@ DiffusionSurfaces ball_with_a_chamber(const glm::dvec3& chamber) {
   return ball;
 }
 
-/// What is parted in two by a half-plane does not yet wind about the axis twice.
+/// Two areas in a half-plane do not yet mean that a piece winds about the axis twice.
 TEST(HangingPeel, IsNothingThatIsOnlyParted) {
   for (const glm::dvec3& chamber :
        {glm::dvec3(0.01, 0, 0), glm::dvec3(0.003, 0.006, 0.009), glm::dvec3(0, 0.01, -0.01)}) {
@@ -95,7 +95,7 @@ TEST(HangingPeel, IsLongerAndStaysClosedAndAsLarge) {
   EXPECT_TRUE(is_closed(welded_triangles(weld(hanging.mesh.position), hanging.mesh.triangle)));
 }
 
-/// Edges keep their lengths but for the little by which a helix that is drawn out is longer.
+/// Edges keep their lengths, apart from the small stretch of a longer helix.
 TEST(HangingPeel, IsHardlyStretched) {
   const auto [lying, hanging, count] = peel_of_ball();
   ASSERT_EQ(count, 1);
@@ -121,7 +121,7 @@ TEST(HangingPeel, HasTheNormalsOfItsSurface) {
   EXPECT_LT(wrong, 0.03 * all);
 }
 
-/// In a picture it is as it hangs, upright on the table beside the ball.
+/// In a picture it hangs upright on the table beside the ball.
 TEST(HangingPeel, HangsInPictures) {
   const Scene in_place = gathered(peeled_ball());
   const Scene table = laid_out(in_place);

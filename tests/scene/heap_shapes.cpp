@@ -72,7 +72,7 @@ Solid disc(double radius, double height) {
 
 namespace {
 
-/// The eight corners of a box, and its faces outwards.
+/// Adds the eight corners of a box and its outward faces.
 void add_box(Solid& solid, const glm::dvec3& low, const glm::dvec3& high) {
   const auto first = static_cast<unsigned>(solid.mesh.position.size());
   for (unsigned i = 0; i < 8; ++i)

@@ -22,10 +22,10 @@ Solid disc(double radius, double height);
 /// A box that stands on y = 0: length, height, width.
 Solid slab(const glm::dvec3& size);
 
-/// The same with a hollow from above, whose walls and floor are so thick.
+/// The same with a hollow from above; `wall` is the thickness of walls and floor.
 Solid tray(const glm::dvec3& size, double wall);
 
-/// A square without thickness that stands on its edge.
+/// A square without thickness, standing on an edge.
 Solid upright_sheet(double size);
 
 /// A round bowl that stands on y = 0: a shallow curve inside, a wall of 5 mm.

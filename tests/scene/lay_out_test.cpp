@@ -32,7 +32,7 @@ Scene pieces_of(const DiffusionSurfaces& fruit, const std::vector<std::string>& 
 
 DiffusionSurfaces ball() { return shapes::moved(shapes::sphere(0.03, 12, shapes::skin_paint()), {0, 0.03, 0}); }
 
-/// As long as a cucumber; its axis is up.
+/// A bar as long as a cucumber, with its axis up.
 DiffusionSurfaces bar() { return shapes::box({-0.02, 0, -0.02}, {0.02, 0.18, 0.02}, 3, shapes::skin_paint()); }
 
 std::vector<glm::dvec3> placed_points(const Scene& scene, const Instance& instance) {
@@ -42,7 +42,7 @@ std::vector<glm::dvec3> placed_points(const Scene& scene, const Instance& instan
   return points;
 }
 
-/// Of each cut face its area vector, as it lies; of flat ones alone.
+/// The area vectors of the flat cut faces in their pose.
 std::vector<glm::dvec3> face_vectors(const Scene& scene, const Instance& instance) {
   const Solid& solid = scene.solids[static_cast<std::size_t>(instance.solid)];
   const std::vector<glm::dvec3> at = placed_points(scene, instance);
@@ -79,14 +79,14 @@ TEST(LaidOut, PiecesLieApart) {
     const Scene table = laid_out(pieces_of(ball(), knives));
     std::vector<Box<double>> boxes;
     for (const Instance& instance : table.instances) boxes.push_back(box_around(placed_points(table, instance)));
-    // Where rows are turned boxes along the axes say nothing.
+    // In turned rows, boxes along the axes are no measure.
     if (knives[0] == "wedges:6") continue;
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].meets(boxes[j])) << knives[0] << ' ' << i << ' ' << j;
   }
 }
 
-/// A star's arms have much skin beside the cut.
+/// The arms of a star have much skin beside the cut.
 TEST(LaidOut, AHalfShowsItsFaceHoweverSmall) {
   const DiffusionSurfaces column = shapes::box({-0.006, 0, -0.03}, {0.006, 0.05, 0.03}, 4, shapes::skin_paint());
   const Scene table = laid_out(pieces_of(column, {"across"}));
@@ -98,7 +98,7 @@ TEST(LaidOut, AHalfShowsItsFaceHoweverSmall) {
   }
 }
 
-/// The round side of a peeled half is a cut face, too; the flat one is what one wants to see.
+/// The round side of a peeled half is a cut face, too; the flat one must be shown.
 TEST(LaidOut, APeeledHalfShowsItsFlatFace) {
   const Scene table = laid_out(pieces_of(ball(), {"peel:2mm", "half"}));
   for (const Instance& instance : table.instances) {
@@ -109,7 +109,7 @@ TEST(LaidOut, APeeledHalfShowsItsFlatFace) {
   }
 }
 
-/// From the eye, each piece of a ball in halves shows most of its face, and skin besides.
+/// Each half of a ball shows most of its face, and some skin.
 TEST(LaidOut, AHalfShowsItsFaceAndItsSkin) {
   const Scene table = laid_out(pieces_of(ball(), {"half"}));
   const double disc = pi * 0.03 * 0.03;
@@ -122,7 +122,7 @@ TEST(LaidOut, AHalfShowsItsFaceAndItsSkin) {
   }
 }
 
-/// A mountain is not laid on its back: it stands on flat ground, and turns its face to the eye.
+/// A mountain with flat ground stands on it and turns its face to the eye.
 TEST(LaidOut, WhatHasFlatGroundUnderItStands) {
   const DiffusionSurfaces block = shapes::box({-0.05, 0, -0.05}, {0.05, 0.03, 0.05}, 4, shapes::skin_paint());
   const Scene halves = pieces_of(block, {"half"});
@@ -179,7 +179,7 @@ TEST(LaidOut, AWholeFruitStandsAsItGrew) {
   EXPECT_GT((table.instances[0].pose.rotation * glm::dvec3(0, 1, 0)).y, 1 - 1e-9);
 }
 
-/// A ball whose lowest tenth is drawn out into a root, thin as a beetroot's or as wide as a cone.
+/// A ball whose lowest tenth is stretched into a root, as thin as a beetroot's or as wide as a cone.
 DiffusionSurfaces rooted_ball(double thinness) {
   constexpr double radius = 0.03, begin = -0.9 * radius, length = 0.02;
   DiffusionSurfaces fruit = shapes::sphere(radius, 24, shapes::skin_paint());
@@ -199,7 +199,7 @@ TEST(LaidOut, WhatWouldBalanceOnItsRootLiesDown) {
   EXPECT_GT(uprightness(rooted_ball(1)), 1 - 1e-9);
 }
 
-/// A piece stands on what reaches farthest: vertices within it change nothing of its outline, wherever they are listed.
+/// Inner vertices do not change a piece's outline, in any order.
 TEST(PieceOutline, IsThatOfTheFarthestVertices) {
   const Solid solid = pieces_of(bar(), {}).solids[0];
   Solid filled = solid;
@@ -212,7 +212,7 @@ TEST(PieceOutline, IsThatOfTheFarthestVertices) {
   EXPECT_EQ(of_filled.radius(), outline.radius());
 }
 
-/// What a picture of this shape has on it, -1 to 1 to the right and upwards.
+/// The bounding box of the scene on a picture of this shape, -1 to 1 to the right and upwards.
 Box<double> on_picture(const Scene& scene, const View& view, double aspect) {
   const glm::dvec3 back = glm::normalize(view.eye - view.target);
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)), up = glm::cross(back, right);
@@ -227,7 +227,7 @@ Box<double> on_picture(const Scene& scene, const View& view, double aspect) {
   return filled;
 }
 
-/// Many pieces fill pictures of any shape: no half of a canvas stays empty.
+/// Many pieces fill pictures of any shape: no half of a canvas is empty.
 TEST(LaidOut, RowsFillThePicture) {
   const Scene dice = pieces_of(ball(), {"dice:12mm"}), sticks = pieces_of(bar(), {"slices:60mm", "sticks:8mm"});
   for (const Scene* scene : {&dice, &sticks}) {
@@ -240,7 +240,7 @@ TEST(LaidOut, RowsFillThePicture) {
   }
 }
 
-/// Balls lie before the halves that they were scooped from, all of them in rows of their own.
+/// Scooped balls lie in front of the halves, in rows of their own.
 TEST(LaidOut, WhatIsSmallHasRowsOfItsOwn) {
   for (const int balls : {1, 2, 3}) {
     std::vector<std::string> knives{"half"};
@@ -248,7 +248,7 @@ TEST(LaidOut, WhatIsSmallHasRowsOfItsOwn) {
     const Scene scene = pieces_of(ball(), knives);
     ASSERT_EQ(scene.instances.size(), 2u + 2u * static_cast<std::size_t>(balls));
     const Scene table = laid_out(scene, 4.0 / 3);
-    double halves = -1, farthest_ball = 1;  // how near the halves' near edge and the farthest ball lie
+    double halves = -1, farthest_ball = 1;  // nearest edge of the halves, and the farthest ball
     for (const Instance& instance : table.instances) {
       Box<double> box;
       for (const glm::dvec3& p : placed_points(table, instance)) box.add(p);
@@ -261,7 +261,7 @@ TEST(LaidOut, WhatIsSmallHasRowsOfItsOwn) {
   }
 }
 
-/// A crumb may be so small that its corners are one place.
+/// All corners of a tiny crumb may be at one place.
 TEST(LaidOut, APointStandsAsItGrew) {
   Solid point;
   point.mesh.position.assign(3, {0.01f, 0.02f, 0.03f});

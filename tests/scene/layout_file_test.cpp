@@ -61,7 +61,7 @@ TEST(LayoutFile, SaysWhereItIsWrong) {
       "l.json:2:46: error: should be a number");
 }
 
-/// Devices and pipes are told without being opened, which would wait or never end.
+/// Devices and pipes are refused without being opened, which might never end.
 TEST(LayoutFile, IsAFile) {
   const TemporaryFolder folder;
   ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);

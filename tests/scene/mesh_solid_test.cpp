@@ -10,7 +10,7 @@
 namespace pomona {
 namespace {
 
-/// A cone one metre tall over a circle of 10 cm, as so many triangles around its tip, with its base.
+/// A cone, one metre tall over a circle of 10 cm, of `sides` triangles around its tip, with its base.
 PlainMesh cone(std::uint32_t sides) {
   PlainMesh mesh;
   mesh.position = {{0, 1, 0}, {0, 0, 0}};
@@ -43,7 +43,7 @@ TEST(MeshSolid, KeepsSharpEdgesAndRoundsOthers) {
   }
 }
 
-/// Of what is closed only the side that faces the eye is drawn: a file may have it inside out.
+/// Only front faces of closed meshes are drawn, and a file may have them inside out.
 TEST(MeshSolid, TurnsWhatIsInsideOut) {
   PlainMesh inside_out = cone(32);
   for (glm::uvec3& t : inside_out.triangle) std::swap(t.y, t.z);
@@ -58,7 +58,7 @@ TEST(MeshSolid, TurnsWhatIsInsideOut) {
   EXPECT_NEAR(six_volumes / 6, solid.volume, 1e-9);
 }
 
-/// Asking each triangle at a tip of all others would take the square of their number: half an hour here.
+/// Comparing all triangles at a tip with each other would take quadratic time: half an hour here.
 TEST(MeshSolid, TakesTipsOfVeryManyTriangles) {
   const std::uint32_t sides = 400'000;
   const Solid solid = mesh_solid(cone(sides), "cone");

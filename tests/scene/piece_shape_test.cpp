@@ -24,7 +24,7 @@ std::vector<Solid> shapes() {
   return {heap_shapes::ball(0.02), heap_shapes::wedge(0.03, 70), heap_shapes::ring(0.035, 0.029, 0.006)};
 }
 
-/// Random points in the box around a shape, grown by a tenth.
+/// Random points in the box around a shape, enlarged by a tenth.
 std::vector<glm::vec3> points_about(const PieceShape& shape) {
   const RandomStream draw({5, 0}, "tests/points");
   const glm::vec3 size = 1.1f * shape.box.size(), low = shape.box.center() - 0.5f * size;
@@ -42,7 +42,7 @@ TEST(PieceShape, ABallWeighsWhatItsMeshBounds) {
   EXPECT_NEAR(1 / shape.inverse_inertia[0][0], 0.4 * mass * 0.02 * 0.02, 0.05 * 0.4 * mass * 0.02 * 0.02);
 }
 
-/// Thin as it is, so that what is added to its inertia counts.
+/// A needle is so thin that the addition to its inertia matters.
 TEST(PieceShape, ANeedleWeighsTheSameWhetherByItsMeshOrByWhatIsInside) {
   Solid needle = heap_shapes::slab({0.1, 0.002, 0.002});
   const PieceShape by_mesh = piece_shape(needle, 0.05);
@@ -57,7 +57,7 @@ TEST(PieceShape, ANeedleWeighsTheSameWhetherByItsMeshOrByWhatIsInside) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(by_parts.inverse_inertia[i][i] / by_mesh.inverse_inertia[i][i], 1, 1e-3) << i;
 }
 
-/// The round side of a peeled wedge shows more than either of its sides, and yet is not what one wants to see.
+/// The round side of a peeled wedge is larger than either flat side, but must not be the one that is shown.
 TEST(PieceShape, AFlatCutFaceIsShownBeforeARoundOne) {
   Solid wedge = heap_shapes::wedge(0.03, 70);
   std::map<std::array<long, 3>, double> area_by_normal;
@@ -136,7 +136,7 @@ TEST(PieceShape, SamplesLieOnTheSurfaceAndInTheirBalls) {
   }
 }
 
-/// Of a box all twelve edges turn by a right angle, and the diagonals of its sides not at all.
+/// All twelve edges of a box are right angles, and the diagonals of its sides are flat.
 TEST(SurfaceSamples, LieAtTheEndsAndTheMiddleOfEverySharpEdge) {
   const Solid slab = heap_shapes::slab({0.1, 0.03, 0.06});
   const std::vector<glm::dvec3> corner(slab.mesh.position.begin(), slab.mesh.position.end());

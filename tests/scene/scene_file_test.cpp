@@ -34,7 +34,7 @@ TEST(SceneFile, ReadsTheSalad) {
   EXPECT_NEAR(salad.bowl->profile.points.front().x, 0, 0);
   EXPECT_EQ(salad.bowl->profile.points.front().y, 0);
 
-  // The least that the dish is to have: 20 variants and 500 pieces, cut in three ways.
+  // The dish must have at least 20 variants and 500 pieces, cut in three ways.
   int variants = 0;
   std::set<std::string> cuts;
   for (const PiecesDescription& entry : salad.pieces) {
@@ -64,7 +64,7 @@ TEST(SceneFile, IsKnownByAHeadingThatIsIndented) {
   EXPECT_FALSE(is_scene_file(written("format = 1\n# [[pieces]]\n")));
 }
 
-/// Every scene that is shipped can be read, and names nothing that is not there.
+/// Every shipped scene can be read, and all files that it names exist.
 TEST(SceneFile, ShippedScenesAreWhole) {
   ComposeOptions options;
   options.find_template = [](const std::string& name) { return source_dir / "templates" / (name + ".toml"); };
@@ -78,7 +78,7 @@ TEST(SceneFile, ShippedScenesAreWhole) {
   EXPECT_GE(scenes, 9);
 }
 
-/// A knife's drawing is looked for beside the scene, wherever the program runs.
+/// A knife's drawing is searched beside the scene, not in the current folder.
 TEST(SceneFile, StrokesAreFoundFromItsFolder) {
   const TemporaryFolder made;
   const fs::path folder = made.path();

@@ -1,4 +1,4 @@
-// Parts of settling, each by itself: maps, funnels, waves, places to drop from, distances.
+// Unit tests of settling: maps, funnels, waves, drop positions, distances.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -27,7 +27,7 @@ DishForm in(const Solid& dish, bool on_top = false) {
   return form;
 }
 
-/// A cell's width more or less: the map knows no more.
+/// Up to a cell's width, the resolution of the map.
 TEST(HeightMap, ABowlIsAsHighOnEitherSide) {
   const Solid bowl = heap_shapes::bowl(0.12, 0.06);
   const Dish dish(&bowl, {});
@@ -53,7 +53,7 @@ TEST(Dish, TheGroundBesideADishOfAnyShapeIsGround) {
   }
 }
 
-/// Thrown at each of the four walls, off the middle, a ball stays within them all.
+/// A ball thrown at each of the four walls, off the middle, stays inside.
 TEST(RigidBodyWorld, FourWallsKeepWhatFalls) {
   const Dish ground({}, {});
   const PieceShape shape = piece_shape(heap_shapes::ball(0.01), 0.035);
@@ -65,7 +65,7 @@ TEST(RigidBodyWorld, FourWallsKeepWhatFalls) {
     ball.velocity = 0.002 * way;
     world.put(0, ball);
     world.run_until_rest();
-    // It may be a step's way beyond where it is stopped.
+    // It may be one step beyond the place where it is stopped.
     const glm::dvec3 at = world.bodies()[0].center;
     EXPECT_GT(at.x - shape.radius, walls.from.x - 0.0025) << way.x << ' ' << way.z;
     EXPECT_LT(at.x + shape.radius, walls.to.x + 0.0025) << way.x << ' ' << way.z;
@@ -75,7 +75,7 @@ TEST(RigidBodyWorld, FourWallsKeepWhatFalls) {
   }
 }
 
-/// The ring where their centres fall reaches not quite to the rim; the pieces themselves reach farther.
+/// The ring for the centres ends before the rim, because the pieces themselves are larger.
 TEST(HeapPlan, AWaveCoversTheBowl) {
   const std::vector<Solid> solids{heap_shapes::ball(0.02)};
   const std::vector<SettleItem> items(100, {.solid = 0, .name = "ball"});
@@ -87,7 +87,7 @@ TEST(HeapPlan, AWaveCoversTheBowl) {
   EXPECT_LT(covered, open);
 }
 
-/// Its depth is no whole number of cells, so that the last row is covered in part only.
+/// Its depth is not a whole number of cells, so the last row is only partly covered.
 TEST(MeshDish, EveryPlaceOnABoardIsAsFarInsideAsItsBorderIsAway) {
   const glm::dvec3 size(0.512, 0.02, 0.2014);
   const Solid board = heap_shapes::slab(size);
@@ -100,7 +100,7 @@ TEST(MeshDish, EveryPlaceOnABoardIsAsFarInsideAsItsBorderIsAway) {
   }
 }
 
-/// On a level floor no cell is lower than another: each is as likely.
+/// On a level floor all cells are equally likely.
 TEST(RandomPlace, IsInAnyCellOfADish) {
   const Dish ground({}, {});
   const HeightMap map(ground, 0.1, 0.01);

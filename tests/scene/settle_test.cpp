@@ -63,7 +63,7 @@ TEST(Settle, ConcaveRingsAndWedgesFit) {
   expect_fit(settled);
 }
 
-/// A file of six digits after the point then holds them exactly.
+/// Then a file with six digits after the point holds them exactly.
 TEST(Settle, PosesAreWholeMillionths) {
   const std::vector<Solid> solids{heap_shapes::ball(0.02)};
   const Solid bowl = heap_shapes::bowl(0.12, 0.06);
@@ -98,7 +98,7 @@ TEST(Settle, ASecondHeapAtTheSameTimeChangesNothing) {
     for (std::size_t i = 0; i < alone.poses.size(); ++i) EXPECT_TRUE(same(heap.poses[i], alone.poses[i])) << i;
 }
 
-/// Three waves and more; those below are frozen by the time the last ones fall.
+/// Three or more waves; the lower ones are frozen when the last ones fall.
 TEST(Settle, ManyLayersFit) {
   const std::vector<Solid> solids{heap_shapes::ball(0.02), heap_shapes::wedge(0.025, 120)};
   const Solid bowl = heap_shapes::bowl(0.13, 0.1);
@@ -141,7 +141,7 @@ TEST(Settle, PiecesWithoutRoomAreNamed) {
   }
 }
 
-/// A piece that fits nowhere is let fall again in each attempt: the more there may be, the longer that takes.
+/// A piece that fits nowhere is dropped again in each attempt, so more attempts take longer.
 TEST(Settle, TriesAsOftenAsItMay) {
   const std::vector<Solid> solids{heap_shapes::ball(0.1)};
   const Solid bowl = heap_shapes::bowl(0.06, 0.03);

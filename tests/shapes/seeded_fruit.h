@@ -1,4 +1,4 @@
-// A fruit to measure with: about 20 000 triangles of every kind a template makes.
+// A fruit for measurements: about 20 000 triangles of all kinds that templates make.
 #pragma once
 
 #include <vector>

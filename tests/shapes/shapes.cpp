@@ -76,8 +76,8 @@ DiffusionSurfaces sphere(double radius, int n, const Paint& paint) {
     };
     for (int i = 0; i < n; ++i) {
       for (int j = 0; i + j < n; ++j) {
-        // Each in a statement of its own: compilers evaluate arguments in different orders, and vertices are numbered
-        // as they come.
+        // One statement for each, because vertices are numbered in the order of the calls, and compilers evaluate
+        // arguments in different orders.
         const std::uint32_t a = vertex(i, j);
         const std::uint32_t b = vertex(i + 1, j);
         const std::uint32_t c = vertex(i, j + 1);
@@ -184,7 +184,7 @@ DiffusionSurfaces moved(DiffusionSurfaces surfaces, const glm::dvec3& by) {
 }
 
 DiffusionSurfaces tilted(DiffusionSurfaces surfaces) {
-  // An orthonormal frame from two vectors with nothing in common.
+  // An orthonormal frame from two vectors in generic directions.
   const glm::dvec3 u = glm::normalize(glm::dvec3(0.61, 0.37, -0.53));
   const glm::dvec3 w = glm::normalize(glm::cross(u, glm::dvec3(0.21, -0.83, 0.47)));
   const glm::dmat3 turn(u, glm::cross(w, u), w);

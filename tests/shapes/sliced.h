@@ -1,4 +1,4 @@
-// Surfaces sliced as a grown fruit would be.
+// Slices given surfaces like a grown fruit.
 #pragma once
 
 #include <vector>

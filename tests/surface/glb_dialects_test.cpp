@@ -1,4 +1,4 @@
-// What .glb files may hold besides meshes at nodes is read as viewers show it, or reported by name.
+// Contents of .glb files besides meshes at nodes are read as viewers show them, or reported by name.
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -105,7 +105,7 @@ TEST(GlbDialect, InstancesAreAllRead) {
       triangle_glb(node, plain_mesh, {{"VEC3", {0, 0, 0, 10, 0, 0}}, {"VEC3", {1, 1, 1, 2, 2, -2}}}), "x", "");
   ASSERT_EQ(mesh.triangle.size(), 2u);
   EXPECT_EQ(mesh.position[3], glm::dvec3(10, 5, 0));
-  // The second is mirrored: it would show its back if two of its corners did not change places.
+  // The second is mirrored: it would show its back unless two of its corners are exchanged.
   EXPECT_EQ(mesh.position[4], glm::dvec3(10, 7, 0));
   EXPECT_EQ(mesh.position[5], glm::dvec3(12, 5, 0));
 }

@@ -51,7 +51,7 @@ double fold_angle(const glm::dvec3& p) {
   return angle < 0 ? angle + 2 * pi : angle;
 }
 
-/// Where a surface folds back onto itself its normals may cancel.
+/// Where a surface folds back onto itself, its normals may cancel to 0.
 TEST(ThrownDarts, FallNowhereWithoutASide) {
   GrainTarget target;
   target.corner[1].position = {0.01, 0, 0};
@@ -173,7 +173,7 @@ std::pair<int, std::size_t> outside_and_count(const Template& made) {
   return {outside, grains.vertex_count()};
 }
 
-/// Pips of lemons went through two segments.
+/// Grains must not pass through a wall, as pips of lemons once did through two segments.
 TEST(GrainWalls, KeepGrainsOnTheirSide) {
   Template made = chambers();
   for (const double sink : {-0.001, 0.0, 0.001}) {
@@ -245,7 +245,7 @@ TEST(GrainLimits, SharesLeaveSomePlacesAndSomeFoldsEmpty) {
 }
 
 TEST(GrainSpacingRule, MayHoldWhateverTheyFace) {
-  // In a chamber only 8 mm wide grains on opposite walls come near each other.
+  // In a chamber of only 8 mm, grains on opposite walls come near each other.
   const std::vector<Curve> loops{circle_at({0, 0.03}, 0.004), circle_at({0, -0.03}, 0.004)};
   const Template thin = fruit({in_fold(circle_at({0.03, 0.04}, 0.004), loops)}, 2);
   const auto nearest = [](const std::vector<Dart>& darts) {

@@ -174,7 +174,7 @@ TEST(Grains, TooManyOrTooFineIsRefusedAtOnce) {
   EXPECT_THAT(message(0.0003), testing::HasSubstr("more than 20 000"));
 }
 
-/// The mistake is found only while growing, and still reported at its place in the template.
+/// The mistake is found only while growing, but reported at its place in the template.
 TEST(Grains, TooFineIsToldAtItsPlaceInTheTemplate) {
   const TemporaryFolder folder;
   Template made = seeded(seeds(1e-5));

@@ -1,4 +1,4 @@
-// Meshes of programs that follow the formats in their own way are read as they are meant, or reported.
+// Meshes of programs that deviate from the formats are read as intended, or reported.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -277,7 +277,7 @@ TEST(Endings, MayBeInCapitals) {
   EXPECT_EQ(read_plain_mesh(folder / "A.GLB").triangle.size(), 12u);
 }
 
-/// Line ends of old Macs: the end of the previous line makes no empty line.
+/// Line ends of old Macs: the end of the previous line does not count as an empty line.
 TEST(PlyDialect, EmptyLinesBetweenBareCarriageReturnsAreTold) {
   for (const char* text : {"ply\r\r\r\r", "ply\r\rformat ascii 1.0\rend_header\r", "ply\r\n\r\n\r\n"})
     EXPECT_THROW(parse_surfaces(text, "x.ply"), Error) << text;

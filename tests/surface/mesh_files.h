@@ -1,4 +1,4 @@
-// Meshes as every kind of file that a modelling tool may write.
+// Meshes in all kinds of files that modelling tools write.
 #pragma once
 
 #include <string>

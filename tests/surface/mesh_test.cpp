@@ -325,7 +325,7 @@ TEST(Mesh, GlbMistakesNameTheMesh) {
   EXPECT_THAT(message_of([] { parse_glb(cube_glb(), "x.glb", "handle"); }), HasSubstr("it has: lid, box"));
 }
 
-/// Bytes spoilt at random: an error or a mesh, never a crash.
+/// Random bytes are damaged: the result is an error or a mesh, never a crash.
 TEST(Mesh, SpoiltFilesAreReadOrRefused) {
   const RandomStream random(VariantKey{1, 0}, "spoilt meshes");
   std::uint64_t draw = 0;
@@ -431,7 +431,7 @@ TEST(MeshInTemplate, WhatIsWrongInALineOfItsFileIsToldThere) {
   EXPECT_THAT(told("v 0 0 0\n"), HasSubstr("x.obj:1:1: error: holds no faces"));
 }
 
-/// Each is allowed; all together would fill the memory.
+/// Each mesh is allowed, but all together would fill the memory.
 TEST(Mesh, AllOfATemplateHaveALimitTogether) {
   const Template fruit = fruit_of({sketch_of(MeshFormat::obj, cube_obj())});
   EXPECT_NO_THROW(check_meshes_together(fruit, fruit.meshes[0], max_mesh_triangles));

@@ -1,4 +1,4 @@
-// Meshes that face the wrong way, or several ways, are turned as a solid must be, or reported.
+// Meshes that face inwards, or partly so, are turned outwards like a solid, or reported.
 #include "generator/surface/orientation.h"
 
 #include <algorithm>
@@ -102,7 +102,7 @@ TEST(Orientation, FacesThatLookTheOtherWayTurnToTheRest) {
 }
 
 TEST(Orientation, ShellsWithinShellsAreHollowsAndThingsInTheseSolid) {
-  // In each of the 8 ways in which the file may have them.
+  // For all 8 combinations of orientations in the file.
   for (int way = 0; way < 8; ++way) {
     const Bodies bodies = bodies_of({{.half = 3, .inwards = (way & 1) != 0},
                                      {.half = 2, .inwards = (way & 2) != 0},
@@ -122,7 +122,7 @@ TEST(Orientation, AHollowMayBeAMeshOfItsOwn) {
 }
 
 TEST(Orientation, NeighboursThatTouchAreBothSolid) {
-  // A block of voxels, right way out or inside out: no voxel lies in another.
+  // A block of voxels that face outwards or inwards; no voxel lies within another.
   for (const bool inwards : {false, true}) {
     std::vector<Cube> voxels;
     for (int v = 0; v < 27; ++v)

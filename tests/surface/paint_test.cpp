@@ -63,7 +63,7 @@ TEST(Paint, what_changes_over_the_turn_follows_the_azimuth_and_has_no_seam) {
       const double turn = turn_of(azimuth(swept.position[1 + around * 19 + i]));
       EXPECT_NEAR(middle[i].r, ground.r * sketch.front.color.turn(turn).r, 1e-4);
     }
-    // A pole lies at every azimuth.
+    // A pole has all azimuths, so its colour is the mean.
     EXPECT_NEAR(swept.front_color.front().r, ground.r * (0.75 / 4 + 0.6 / 4 + 0.35 / 2), 1e-3);
   }
 }
@@ -236,7 +236,7 @@ TEST(Spots, softness_strength_stretch_and_raggedness_do_what_they_say) {
   EXPECT_EQ(cover(0, 1.1), 0);
   spot.stretch = 1;
 
-  // For every draw the rim stays as near to the circle as its raggedness says.
+  // For every draw, the rim is as near to the circle as its raggedness allows.
   SurfaceSketch sketch = ball();
   SpotSketch ragged = scattered(0.008, 0.004);
   ragged.raggedness = 0.6;
@@ -265,7 +265,7 @@ TEST(Spots, scattered_ones_keep_their_spacing_and_band_and_count) {
   spot.size_max = 0.003;
   sketch.front.spots = {spot};
   const std::vector<Spot> all = spots_of(sketch);
-  // A full surface: between half and all of the spots that a hexagonal packing of the ball's surface holds.
+  // A full surface has between half and all of the spots of a hexagonal packing of the ball's surface.
   const double max = 4 * pi * 0.04 * 0.04 / (0.005 * 0.005 * std::sqrt(3.0) / 2);
   EXPECT_GT(static_cast<double>(all.size()), 0.5 * max);
   EXPECT_LT(static_cast<double>(all.size()), max);

@@ -40,7 +40,7 @@ TEST(PartRegions, ThatTouchAreTwo) {
   EXPECT_EQ(regions.part_names[static_cast<std::size_t>(regions.region[1].part)], "gel");
 }
 
-/// If a box shows two parts inside, the one with more area counts, wherever the box lies.
+/// If the inside of a box shows two parts, the one with more area counts, wherever the box lies.
 TEST(PartRegions, HaveThePartThatShowsMostOfItselfWithin) {
   const RandomStream random({}, "tests/parts of a box");
   for (std::uint64_t n = 0; n < 40; ++n) {

@@ -22,7 +22,7 @@ namespace {
 
 using namespace shapes;
 
-/// A fruit with everything a file can hold.
+/// A fruit with all attributes that a file can hold.
 DiffusionSurfaces rich_fruit() {
   Paint core;
   core.name = "the core";
@@ -135,7 +135,7 @@ std::string tetrahedron_at_the_end(const std::string& type, std::uint32_t vertic
   return bytes;
 }
 
-/// The highest index of a type must not be read as a negative one.
+/// The largest index of a type must not be read as a negative number.
 template <typename Index>
 void expect_tetrahedron(const std::vector<std::string>& types) {
   const auto highest = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());

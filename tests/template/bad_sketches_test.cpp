@@ -159,7 +159,7 @@ TEST(BadSketches, each_is_told_with_name_place_and_remedy) {
       EXPECT_EQ(first.place.column, mistake.column) << error.what();
       EXPECT_FALSE(first.hint.empty());
 
-      // Messages have the whole path; the table has only what follows the folder.
+      // Messages contain the whole path; the table contains only the part after the folder.
       std::string message = first.message;
       const std::string folder = (here / "bad/").string();
       for (std::size_t at; (at = message.find(folder)) != std::string::npos;) message.erase(at, folder.size());

@@ -17,7 +17,7 @@ struct Mistake {
   const char* message;
 };
 
-/// Each must give bad data: the first message has this place and these words.
+/// Expects the error bad_data for each; its first message has this place and these words.
 void expect_found(std::span<const Mistake> mistakes);
 
 }  // namespace pomona

@@ -24,7 +24,7 @@ std::vector<DetailSketch> details_of(const std::string& more) {
   return parse_template(good_fruit() + more, "plum.toml").details;
 }
 
-/// A detail with only the keys it needs, and with others.
+/// A detail with only the required keys, and more keys.
 std::string rays_with(const std::string& more) {
   return "\n[[detail]]\nkind = \"fibres\"\npart = \"flesh\"\nsize = \"1mm\"\namount = 0.5\n" + more + "\n";
 }

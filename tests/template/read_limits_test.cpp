@@ -1,4 +1,4 @@
-// What is read is what was drawn, up to the limits and not beyond.
+// Drawings are read exactly up to the limits, and refused beyond them.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -95,7 +95,7 @@ TEST(EndedOnAxis, TakesAwayWhatWaversAboutTheAxis) {
   EXPECT_EQ(ended.points.front().x, 0);
   EXPECT_EQ(ended.points.back().x, 0);
   for (const glm::dvec2& p : ended.points) EXPECT_GE(p.x, 0);
-  // An end farther off than a hundredth of the width is meant, not a slip of the hand.
+  // An end more than a hundredth of the width off the axis is intended, no slip of the hand.
   curve.points.front().x = 0.0101;
   EXPECT_EQ(ended_on_axis(curve).points.front().x, 0.0101);
 }

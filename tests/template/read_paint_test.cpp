@@ -51,7 +51,7 @@ TEST(ReadPaint, what_changes_over_the_turn_goes_on_over_the_seam) {
   EXPECT_NEAR(over(0.125), 0.35, 1e-6);
   EXPECT_NEAR(over(0.875), 0.65, 1e-6);
 
-  // One end alone counts for both; where both are given, the seam is meant.
+  // One end alone counts for both; if both are given, the seam is intended.
   const auto turn = [](const std::string& stops) {
     return skin_with("color = \"#804020\", coats = [{ color = \"#ffffff\", turn = " + stops + " }]").coats[0].turn;
   };
@@ -119,7 +119,7 @@ TEST(ReadPaint, blur_may_change_in_both_directions) {
 // ---- Mistakes ----
 
 struct Mistake {
-  const char* keys;  ///< of the front; @ stands before what is wrong
+  const char* keys;  ///< of the front; @ marks the mistake
   const char* message;
 };
 

@@ -260,7 +260,7 @@ TEST(ReadTemplate, all_mistakes_come_at_once_and_sorted) {
   }
 }
 
-/// Reads a text that may be broken: the result is a template or an Error with positions, nothing else.
+/// Reads a text that may be broken. Expects a template or an Error with positions.
 void expect_template_or_error(const std::string& text) {
   try {
     parse_template(text, "mutant.toml");

@@ -17,7 +17,8 @@ using testing::HasSubstr;
 
 const std::string page = R"(width="200mm" height="100mm" viewBox="0 0 200 100")";
 
-/// A drawing whose side view has its axis at x = 10 and whose top view has it at 50,50, unless they bring their own.
+/// A drawing whose side view has its axis at x = 10 and whose top view has it at 50,50, unless the views contain an
+/// axis.
 std::string svg(const std::string& side, const std::string& top = "", const std::string& attributes = page) {
   const std::string side_axis = side.find("\"axis\"") == std::string::npos ? R"(<path id="axis" d="M10,0V-60"/>)" : "";
   const std::string top_axis =
@@ -71,7 +72,7 @@ TEST(Sketch, transforms_of_groups_and_shapes_are_applied) {
 }
 
 TEST(Sketch, arcs_and_circles_are_flattened_where_they_lie) {
-  // A circle of radius 10, which its group makes an ellipse and then turns.
+  // A circle of radius 10; its group scales it to an ellipse and then turns it.
   const auto found =
       points(sketch(svg("", R"(<g transform='translate(50,50) rotate(30) scale(2,1)'><circle id="c" r="10"/></g>)")),
              SketchView::top);
@@ -313,7 +314,7 @@ TEST(Sketch, names_belong_to_a_namespace_whatever_its_prefix) {
   };
   expect_points(points(sketch(prefixed("ns0:", "ns1"))), {{0, 5}, {20, 10}});
   expect_points(points(sketch(prefixed("svg:", "inkscape"))), {{0, 5}, {20, 10}});
-  // Declared where it is used, and a shape of another namespace beside it.
+  // The namespace is declared where it is used, and a shape of another namespace stands beside it.
   const std::string inner =
       "<g xmlns:x=\"" + label + "\" x:label=\"side view\"><path id=\"axis\" d=\"M10,0V-60\"/>" +
       "<o:path xmlns:o=\"urn:other\" id=\"c\" d=\"M0,0L1,1\"/><path x:label=\"c\" d=\"M10,-5L30,-10\"/></g>";

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What throw_if_any() says about a text after `read` has read it.
+/// The message of throw_if_any() for a text after `read` has read it.
 template <typename Read>
 std::vector<Diagnostic> diagnostics_of(const std::string& toml, Read read) {
   try {

@@ -1,4 +1,4 @@
-// Size, proportions and bend: what variants differ in beyond the paper.
+// Size, proportions and bend of variants (beyond the paper).
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything varies, far more than any fruit does.
+/// Much larger deviations than those of any fruit.
 const VariationSketch wild{.size = 0.25, .profile = 0.2, .bend = {.angle = 0.7, .swing = 0.7, .around = true}};
 
 Template varying(Template fruit, const VariationSketch& variation = wild) {
@@ -63,7 +63,7 @@ Template tube() {
   return fruit;
 }
 
-/// Enclosed, by the divergence theorem.
+/// The enclosed volume, by the divergence theorem.
 double volume(const DiffusionSurfaces& surfaces) { return moments_of(surfaces.position, surfaces.triangle, {}).mass; }
 
 /// The determinant of the map's derivative, by differences over a hundredth of a millimetre.
@@ -104,7 +104,7 @@ TEST(Body, no_draw_depends_on_another) {
   EXPECT_EQ(no_swing.bend.swing, 0);
   EXPECT_TRUE(no_swing.proportions.are_as_drawn());
 
-  // What curves draw does not change either.
+  // The random numbers of curves do not change either.
   const Template curves = vary(fruit, {4, 1}), more = vary(varying(fruit, {.profile = 0.1}), {4, 1});
   EXPECT_EQ(curves.surfaces[0].horizontal[0].points, more.surfaces[0].horizontal[0].points);
 }
@@ -127,7 +127,7 @@ TEST(Body, a_bend_of_nothing_changes_no_bit) {
 }
 
 TEST(Body, all_draws_leave_space_one_to_one) {
-  // A grid over the whole fruit, for a thousand variants, twice as wild.
+  // A grid over the whole fruit, for a thousand variants with twice the deviations.
   for (const char* name : {"cucumber", "apple"}) {
     const Template fruit = varying(shipped(name));
     double widest = 0;
@@ -139,7 +139,7 @@ TEST(Body, all_draws_leave_space_one_to_one) {
       EXPECT_LE(bend_strain(variant).lean, radians(60) + 1e-12);
       const HeightRange range = drawn_heights(variant);
       const BodyMap map(variant);
-      // Within the skin: the bend leaves room for that.
+      // Inside the skin, where the bend must be one-to-one.
       const double size = range.high / drawn_heights(fruit).high;
       const Curve& skin = variant.surfaces[0].vertical;
       for (std::size_t i = 0; i < skin.points.size(); i += 1 + skin.points.size() / 12) {
@@ -199,7 +199,7 @@ TEST(Body, twice_the_size_is_eight_times_the_volume) {
     EXPECT_NEAR(volume(sweep(other)), drawn * size * size * size, 1e-6 * drawn * size * size * size);
     EXPECT_EQ(sweep(other).triangle, sweep(fruit).triangle);
   }
-  // Slenderness keeps it.
+  // Slenderness keeps the volume.
   fruit.proportions.slenderness = 0.4;
   EXPECT_NEAR(volume(sweep(fruit)), drawn, 1e-6 * drawn);
 }
@@ -246,7 +246,7 @@ TEST(Body, a_bent_axis_keeps_its_length_and_stands_in_the_middle) {
 }
 
 TEST(Body, a_bend_keeps_volumes_and_sections) {
-  // Pappus: what the outer side gains the inner side loses.
+  // By Pappus' theorem the outer side gains what the inner side loses.
   Template fruit = tube();
   const double straight = volume(sweep(fruit));
   fruit.bend = {.angle = 1.2, .swing = 0.5, .direction = 0.4};
@@ -274,7 +274,7 @@ TEST(Body, an_arc_of_a_circle_is_one) {
 }
 
 TEST(Body, beyond_its_ends_a_bent_fruit_goes_on_straight) {
-  // Stems and grains stand out there: what is drawn upright beyond an end comes to stand along the axis at that end.
+  // Stems and grains stick out there: a part drawn upright beyond an end stands along the axis at that end.
   Template fruit = tube();
   fruit.bend = {.angle = 1.2, .swing = 0.5, .direction = 0.4};
   const BodyMap map(fruit);
@@ -308,7 +308,7 @@ TEST(Body, nothing_crosses_that_does_not_in_the_curves_alone) {
   }
 }
 
-/// Two skins so near to each other that their facets, unlike in number, hardly keep apart; the axis bends.
+/// Two skins so close that their facets, different in number, nearly touch; the axis bends.
 Template two_near_skins(double apart, int more_around, double angle) {
   Template fruit = fruits::onion(1);
   fruit.surfaces.front().along = 10;

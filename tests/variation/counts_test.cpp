@@ -1,4 +1,4 @@
-// What varies in number, and that species draw by themselves.
+// Varying numbers of folds and surfaces, and independent random numbers of species.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,7 +20,7 @@ namespace {
 
 Template shipped(const std::string& name) { return read_template(POMONA_SOURCE_DIR "/templates/" + name + ".toml"); }
 
-/// The fruit of the tests with counts of its own: surface 3 are its chambers, surface 2 its core.
+/// The tests' tomato with varying numbers: surface 3 is its chambers, surface 2 its core.
 Template counted_tomato(CountVariation counts) {
   Template fruit = fruits::tomato(5);
   fruit.name = "counted";
@@ -69,7 +69,7 @@ TEST(SpeciesKey, GoesByTheNameNotByThePathOrWhatIsDrawn) {
   EXPECT_NE(positions(fruit), positions(renamed));
 }
 
-/// Pearson's, of two series.
+/// Pearson's correlation of two series.
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   const auto n = static_cast<double>(a.size());
   double ma = 0, mb = 0, ab = 0, aa = 0, bb = 0;
@@ -82,7 +82,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   return ab / std::sqrt(aa * bb);
 }
 
-/// bench/variants looks at all species over a thousand seeds; chance alone leaves 0.6 with one pair in 10 000 over 40.
+/// bench/variants tests all species over a thousand seeds. With 40 seeds, chance gives 0.6 for one pair in 10 000.
 TEST(Species, AreNotOfOneSizeOrFormAtEqualSeeds) {
   constexpr std::uint64_t seeds = 40;
   std::vector<std::vector<double>> sizes, forms;
@@ -153,7 +153,7 @@ TEST(Counts, SomeFoldsLackWhatNotAllHave) {
   EXPECT_GT(patterns.size(), 15u);  // of 32
 }
 
-/// A persimmon is drawn with seeds in three of its eight chambers: any chamber may have one.
+/// The drawn persimmon has seeds in three of its eight chambers; in variants any chamber may have one.
 TEST(Counts, FoldsMayHaveWhatTheDrawnOnesLack) {
   const Template fruit = shipped("persimmon");
   const std::size_t seed_surface = surface_called(fruit, "seed");

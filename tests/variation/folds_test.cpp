@@ -23,7 +23,7 @@ const std::vector<double>& lines_of(const Template& fruit) {
   return std::get<FoldSymmetry>(fruit.symmetry).fold_angles;
 }
 
-/// Every loop has points and every chamber keeps strictly between its fold lines.
+/// Every loop has points, and every chamber stays strictly between its fold lines.
 void expect_chambers_in_folds(const Template& fruit) {
   const std::vector<double>& lines = lines_of(fruit);
   const std::vector<double> widths = fold_widths(std::get<FoldSymmetry>(fruit.symmetry));
@@ -44,7 +44,7 @@ void expect_chambers_in_folds(const Template& fruit) {
 }
 
 TEST(PrincipalWeights, HaveTheCovarianceOfPrincipalComponents) {
-  // Four samples of three numbers, and their principal components found the long way.
+  // Four samples of three numbers, with explicit principal components.
   constexpr int samples = 4, features = 3, draws = 20000;
   Eigen::MatrixXd x(samples, features);
   x << 1, 2, 0.5, 2, 0, 1, -1, 1, 3, 0.5, -2, 1;
@@ -88,7 +88,7 @@ TEST(PrincipalWeights, StayNearTheHullWhenClipped) {
   }
 }
 
-/// The likeliest 95 % of draws stay as they are, however many samples there are.
+/// The likeliest 95 % of draws are not clipped, for any number of samples.
 TEST(PrincipalWeights, OneInTwentyIsClipped) {
   for (const std::size_t n : {2u, 3u, 5u, 8u}) {
     constexpr std::uint64_t draws = 20000;
@@ -100,7 +100,7 @@ TEST(PrincipalWeights, OneInTwentyIsClipped) {
       const std::vector<double> drawn = principal_weights(z);
       if (clipped(drawn, {.gain = 1, .extrapolation = 100}) != drawn) ++clipped_draws;
     }
-    // The limit is right to 1.5 %, which is 0.4 % of the draws; they scatter by 0.15 % themselves.
+    // The limit is exact to 1.5 %, which is 0.4 % of the draws; their own scatter is 0.15 %.
     EXPECT_NEAR(clipped_draws / static_cast<double>(draws), 0.05, 0.008) << n << " samples";
   }
 }
@@ -191,7 +191,7 @@ TEST(FoldVariation, KeepsChambersInTheirFoldsAndNothingCrosses) {
   EXPECT_LT(stepped, 120 * 5 / 4);
 }
 
-/// A wall that is uneven from fold line to fold line, and just within it, beside each fold's first line, a chamber.
+/// A wall with a different radius at each fold line, and just inside it, beside each fold's first line, a chamber.
 Template chambers_beside_their_first_lines(const std::vector<double>& radius_at_line) {
   const std::size_t folds = radius_at_line.size();
   const double width = 2 * pi / static_cast<double>(folds);
@@ -222,8 +222,8 @@ Template chambers_beside_their_first_lines(const std::vector<double>& radius_at_
   return fruit;
 }
 
-/// A wall that a neighbour draws inwards at the line between them must not press on a fold that is as drawn already:
-/// then the neighbour gives way.
+/// A neighbour may pull the wall inwards at the line between them. If a fold is already as drawn, the neighbour must
+/// give way.
 TEST(FoldVariation, FoldsThatAreAsDrawnAreMadeRoomForByTheirNeighbours) {
   for (const std::vector<double>& radii : {std::vector{0.033, 0.027, 0.030}, {0.033, 0.0265, 0.031, 0.028, 0.030}}) {
     const Template fruit = chambers_beside_their_first_lines(radii);

@@ -51,7 +51,7 @@ SurfaceSketch around_axis(const std::string& name, Curve vertical, Curve horizon
   surface.name = name;
   surface.vertical = std::move(vertical);
   surface.horizontal = {std::move(horizontal)};
-  surface.around = 40;  // few triangles, for many variants
+  surface.around = 40;  // few triangles, because there are many variants
   surface.along = 16;
   surface.front.color.along = surface.back.color.along = Ramp<Color>::constant(Color(0.5f));
   return surface;
@@ -98,7 +98,7 @@ Template curly() {
 
 Template tomato(int folds) {
   Template fruit = named("tomato");
-  // Folds and their lobes differ by some percent, each in its own way.
+  // Folds and their lobes differ by a few percent.
   std::vector<double> widths, lines;
   double total = 0;
   for (int k = 0; k < folds; ++k) widths.push_back(1 + 0.12 * reproducible::sin(2.3 * k + 1));
@@ -123,7 +123,7 @@ Template tomato(int folds) {
   fruit.surfaces.push_back(around_axis("core", half_ellipse(0.010, 0.019, 0.028), lobed(0.0095, 0.06, 0.05)));
   fruit.surfaces.front().front.hidden = true;
 
-  // A chamber in each fold, turned a little differently in each.
+  // A chamber in each fold, with a slightly different turn in each.
   SurfaceSketch chamber = around_axis("chamber", ellipse({0.0195, 0.028}, 0.0070, 0.012, 64), {});
   chamber.type = SurfaceType::in_fold;
   chamber.horizontal.clear();

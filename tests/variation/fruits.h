@@ -5,7 +5,7 @@
 
 namespace pomona::fruits {
 
-/// Cylindrical: nested wavy layers, unlike each other but never crossing as drawn.
+/// Cylindrical: nested wavy layers of different shapes that do not cross as drawn.
 Template onion(int layers = 7);
 
 /// Cylindrical: one loop that some rays from the axis meet more than once.

@@ -1,4 +1,4 @@
-// What keeps layers around the axis apart.
+// The conditions that keep layers around the axis apart.
 #include "generator/variation/layers.h"
 
 #include <algorithm>
@@ -20,14 +20,14 @@ SurfaceSketch layer(std::vector<glm::dvec2> vertical, int along) {
 }
 
 TEST(LayerGap, BetweenLayersThatCrossAsDrawnIsNoneWhicheverWayTheyAreDrawn) {
-  // A funnel that rises outside and falls to the axis, and a short slope that crosses it where it falls alone.
+  // A funnel that rises outside and falls to the axis, and a short slope that crosses only the falling part.
   const std::vector<glm::dvec2> funnel{{0.03, -0.01}, {0.03, 0.04}, {0, 0}}, slope{{0.005, 0.011}, {0.02, 0.009}};
   for (const bool is_turned : {false, true}) {
     for (const bool slope_is_turned : {false, true}) {
       std::vector<glm::dvec2> a = funnel, b = slope;
       if (is_turned) std::reverse(a.begin(), a.end());
       if (slope_is_turned) std::reverse(b.begin(), b.end());
-      const SurfaceSketch long_one = layer(a, 3), short_one = layer(b, 2);  // as many points as they are drawn with
+      const SurfaceSketch long_one = layer(a, 3), short_one = layer(b, 2);  // each with its number of drawn points
       for (const LayerGap& gap : {LayerGap(long_one, short_one), LayerGap(short_one, long_one)}) {
         EXPECT_EQ(gap.room(1).low, SwellRange{}.low) << is_turned << slope_is_turned;
         EXPECT_EQ(gap.room(1).high, SwellRange{}.high) << is_turned << slope_is_turned;
@@ -37,7 +37,7 @@ TEST(LayerGap, BetweenLayersThatCrossAsDrawnIsNoneWhicheverWayTheyAreDrawn) {
 }
 
 TEST(LayerGap, KeepsEitherLayerOffTheOtherByAsMuch) {
-  // One of the two is rounder towards its top, so that its swell shows less there.
+  // One of the two is rounder towards its top, which reduces its swell there.
   Template onion = fruits::onion(2);
   onion.surfaces[1].roundness = Ramp<double>{{{0.0, 0.0}, {1.0, 0.8}}};
   const LayerGap outer(onion.surfaces[0], onion.surfaces[1]), inner(onion.surfaces[1], onion.surfaces[0]);
@@ -50,7 +50,7 @@ TEST(LayerGap, KeepsEitherLayerOffTheOtherByAsMuch) {
 }
 
 TEST(KeptApart, ALayerWithoutRoomLiesInTheMiddleOfWhatItsNeighboursWant) {
-  // The outermost layer shrinks and the innermost grows, until the one between them cannot keep off both.
+  // The outermost layer shrinks and the innermost grows, until there is no room for the one between them.
   const Layers layers = layers_of(fruits::onion(3));
   const std::vector<double> outer(64, 0.8), inner(64, 1.2), as_drawn(64, 1.0);
   const double highest = layers.gap[1][0].room(0.8).high, lowest = layers.gap[1][2].room(1.2).low;

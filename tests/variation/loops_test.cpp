@@ -71,7 +71,7 @@ TEST(TextureSynthesis, OnlyTurnsTheSampleAtThresholdZero) {
   for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(map.level[0][i], (i + shift) % 256);
 }
 
-/// Noise that comes twice, a little otherwise the second time: at every level the two halves are about as much alike.
+/// The same noise twice, the second time with small changes: at every level the two halves are about equally similar.
 CyclicSignal nearly_repeated(double difference) {
   const RandomStream random({7, 0}, "test");
   CyclicSignal signal(256);
@@ -79,7 +79,7 @@ CyclicSignal nearly_repeated(double difference) {
   return signal;
 }
 
-/// How many of a level's values come from the half that is not their parent's.
+/// The share of a level's values that come from the other half than their parent.
 double share_that_changes_halves(const SourceMap& map, std::size_t level) {
   const std::size_t n = map.level[level].size();
   double changed = 0;
@@ -90,7 +90,7 @@ double share_that_changes_halves(const SourceMap& map, std::size_t level) {
   return changed / static_cast<double>(n);
 }
 
-/// The threshold is a mean over all levels above: what is alike enough at each of them is so at all of them together.
+/// The threshold is a mean over all coarser levels: what is similar enough at each of them is similar enough at all.
 TEST(TextureSynthesis, ChoosesAsFreelyAtTheFinestLevelAsAtCoarserOnes) {
   double coarse = 0, fine = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -134,7 +134,7 @@ TEST(CylindricalVariation, DepartsFurtherWithTheAmount) {
 }
 
 TEST(CylindricalVariation, BeyondOneTheSwingsGrowWhereTheyAre) {
-  // Half as much again at amount 2 as at 1, about the same mean, at the same azimuths.
+  // Deviations at amount 2 are half as large again as at 1, about the same mean, at the same azimuths.
   const LoopVariation variation(fruits::onion(1));
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Template once = variation.draw({seed, 0}, 1), twice = variation.draw({seed, 0}, 2);

@@ -17,7 +17,7 @@ namespace {
 
 const Color red(0.6f, 0.03f, 0.02f), green(0.1f, 0.3f, 0.05f), brown(0.2f, 0.05f, 0.02f), cream(0.8f, 0.7f, 0.4f);
 
-/// Skin and flesh that go from green over red, as drawn, to brown; a stone that stays as it is.
+/// Skin and flesh ripen from green over red, as drawn, to brown; the stone does not change.
 Template ripening_fruit() {
   Template fruit;
   fruit.name = "ball";
@@ -43,7 +43,7 @@ DiffusionSurfaces ripened_to(double ripeness, Template fruit, const DiffusionSur
   return ripened(surfaces, fruit, SkinDepth(surfaces), tissue_colors(surfaces, {}, fruit));
 }
 
-/// Where on the way from `from` to `to` a colour lies, in OKLab; and how far beside it.
+/// The share of the way from `from` to `to` at which a colour lies, in OKLab, and its distance from that line.
 struct OnWay {
   double share = 0, beside = 0;
 };
@@ -155,7 +155,7 @@ TEST(Ripening, deeper_flesh_of_the_same_colour_ripens_as_declared) {
       const double share = on_way(half.front_color[v], green, red).share;
       min = std::min(min, share), max = std::max(max, share);
     }
-    EXPECT_LT(max - min, 0.06) << surface;  // equally deep, but for the flatness of triangles
+    EXPECT_LT(max - min, 0.06) << surface;  // equal depth, up to the flatness of triangles
     return 0.5 * (min + max);
   };
   // u = 1/2, s = 1: x = 1 - clamp(l) with l = 1, 1/2, 0 at depths of 0, 10 and 20 mm.
@@ -172,7 +172,7 @@ TEST(Ripening, stops_between_are_passed_through) {
   const std::size_t v = vertices_of(drawn, "skin").front();
   EXPECT_LT(glm::distance(ripened_to(0.5, fruit, drawn).front_color[v], cream), 1e-4);
   EXPECT_LT(glm::distance(ripened_to(0, fruit, drawn).front_color[v], green), 1e-4);
-  EXPECT_EQ(ripened_to(1.5, fruit, drawn).front_color[v], red);  // nothing is said beyond 1
+  EXPECT_EQ(ripened_to(1.5, fruit, drawn).front_color[v], red);  // nothing is defined beyond 1
 }
 
 TEST(Ripening, a_share_of_what_was_painted_is_kept) {
@@ -187,7 +187,7 @@ TEST(Ripening, a_share_of_what_was_painted_is_kept) {
   fruit.ripeness.parts[0].keep = 0;
   EXPECT_LT(contrast(ripened_to(0, fruit, drawn)), 1e-5);
   fruit.ripeness.parts[0].keep = 0.25;
-  EXPECT_NEAR(contrast(ripened_to(0, fruit, drawn)), 0.25 * contrast(drawn), 0.02);  // the gamut may take some
+  EXPECT_NEAR(contrast(ripened_to(0, fruit, drawn)), 0.25 * contrast(drawn), 0.02);  // the gamut may reduce it
 }
 
 TEST(Ripening, stays_within_the_gamut) {
@@ -222,7 +222,7 @@ TEST(SkinDepth, is_the_distance_to_the_outermost_boundary) {
   EXPECT_EQ(ball.height({0, 1, 0}), 1);
 }
 
-/// The stone's two sides, sRGB in 255ths.
+/// The difference between the stone's two sides, sRGB in 255ths.
 glm::dvec3 difference_across(const DiffusionSurfaces& surfaces, std::size_t vertex) {
   return glm::dvec3(to_srgb8(surfaces.front_color[vertex])) - glm::dvec3(to_srgb8(surfaces.back_color[vertex]));
 }
@@ -267,7 +267,7 @@ TEST(Individuals, differ_as_far_as_declared_and_never_more_than_two_deviations) 
     EXPECT_LE(std::fabs(one.ripeness - 1), 0.4 + 1e-12);
   }
   EXPECT_NEAR(sum / count, 0, 0.003);
-  EXPECT_NEAR(std::sqrt(squares / count), 0.03 * 0.96, 0.002);  // clipping takes 4 %
+  EXPECT_NEAR(std::sqrt(squares / count), 0.03 * 0.96, 0.002);  // clipping removes 4 %
   EXPECT_LE(max, 0.06 + 1e-12);
 }
 

@@ -15,7 +15,7 @@
 namespace pomona {
 namespace {
 
-/// An onion whose inner layer has grown out of the outer one on the side of +X.
+/// An onion whose inner layer crosses the outer one on the side of +X.
 Template burst() {
   Template fruit = fruits::onion(2);
   for (Curve& loop : fruit.surfaces[1].horizontal) {

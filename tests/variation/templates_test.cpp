@@ -1,4 +1,4 @@
-// Variants of the templates there are. bench/variants looks at a thousand of each; these are a sample.
+// A sample of variants of all templates. bench/variants checks a thousand of each.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -46,7 +46,7 @@ double distance_between(const DiffusionSurfaces& a, const DiffusionSurfaces& b) 
   return std::sqrt(sum / static_cast<double>(a.vertex_count())) / glm::length(bounds_of(a).size());
 }
 
-/// Variants of one template, as they are swept.
+/// Swept variants of one template.
 struct Sample {
   Template fruit;
   std::vector<Template> variants;
@@ -106,7 +106,7 @@ bool halves_show(const SurfaceSketch& surface) {
   return on_left && on_right;
 }
 
-/// Of lemons 1 to 40, twelve had a side without a segment; of star fruits eight had no chamber.
+/// Before, of lemons 1 to 40 twelve had a side without a segment, and eight star fruits had no chamber.
 TEST(FoldVariation, HalvesShowChambersOnBothSides) {
   const std::pair<const char*, const char*> chambers[] = {
       {"lemon", "segment"}, {"star_fruit", "chamber"}, {"pomegranate", "chamber"}, {"kiwi", "locule"}};
@@ -122,7 +122,7 @@ TEST(FoldVariation, HalvesShowChambersOnBothSides) {
   }
 }
 
-/// Seeds whose surfaces crossed by a facet's width while only their curves were looked at.
+/// Seeds whose surfaces crossed by a facet's width when only curves were checked.
 TEST(FoldVariation, KeepsSurfacesFromCrossingByAFacet) {
   for (const auto& [name, amount, seed] :
        {std::tuple{"apple", 1.0, 23}, std::tuple{"apple", 1.0, 49}, std::tuple{"cucumber", 2.0, 9}}) {
@@ -136,7 +136,7 @@ TEST(FoldVariation, KeepsSurfacesFromCrossingByAFacet) {
   }
 }
 
-/// Seeds whose surfaces keep apart while the axis is straight, and crossed once it was bent as drawn.
+/// Seeds whose surfaces do not cross with a straight axis, and crossed after the drawn bend.
 TEST(Variation, KeepsSurfacesFromCrossingWhereTheAxisBends) {
   const Template fruit = drawn("cucumber");
   const DiffusionSurfaces as_drawn = sweep(fruit);

@@ -1,12 +1,11 @@
-// Curves as nodes with handles, as Inkscape has them: {p, before, after} of places; a handle that lies on its node is
-// none.
+// Curves as nodes with handles, like in Inkscape: {p, before, after}; a handle on its node means no handle.
 
 export const near = (a, b, d = 1e-9) => Math.hypot(a[0] - b[0], a[1] - b[1]) <= d;
 export const between = (a, b, t) => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
 export const nodeAt = (p) => ({p: [...p], before: [...p], after: [...p]});
 
 export const Bezier = {
-  /** {parts: [{nodes, closed}]}: every kind of SVG's path data becomes cubic curves. */
+  /** {parts: [{nodes, closed}]}: all commands of SVG's path data become cubic curves. */
   read(d) {
     const words = d.match(/[a-z]|[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi) || [], parts = [];
     let i = 0, command = '', at = [0, 0], start = [0, 0], part = null, lastCubic = null, lastQuad = null;
@@ -69,7 +68,7 @@ export const Bezier = {
     }
     return {parts};
   },
-  /** SVG 1.1, appendix F.6.5: an arc of an ellipse as cubic curves of a quarter turn at most. */
+  /** An arc of an ellipse as cubic curves of at most a quarter turn (SVG 1.1, appendix F.6.5). */
   arc(from, rx, ry, turn, large, sweep, to) {
     rx = Math.abs(rx);
     ry = Math.abs(ry);
@@ -119,7 +118,7 @@ export const Bezier = {
     const p = between(a.p, a.after, t), q = between(a.after, b.before, t), r = between(b.before, b.p, t);
     return between(between(p, q, t), between(q, r, t), t);
   },
-  /** Where a place lies nearest: {part, segment, t, p, distance}. */
+  /** The nearest point of the curve: {part, segment, t, p, distance}. */
   nearest(parts, place) {
     let best = {distance: Infinity};
     parts.forEach((part, k) => Bezier.segments(part).forEach((pair, i) => {
@@ -130,7 +129,7 @@ export const Bezier = {
     }));
     return best;
   },
-  /** The same curve with a node more (de Casteljau). */
+  /** The same curve with one more node (de Casteljau). */
   split(part, i, t) {
     const {nodes} = part, a = nodes[i], b = nodes[(i + 1) % nodes.length];
     const p = between(a.p, a.after, t), q = between(a.after, b.before, t), r = between(b.before, b.p, t);
@@ -139,7 +138,7 @@ export const Bezier = {
     b.before = r;
     nodes.splice(i + 1, 0, {p: between(s, u, t), before: s, after: u});
   },
-  /** Handles that make a curve smooth through its nodes; ends of open ones have none. */
+  /** Handles that make a curve smooth at its nodes; ends of open curves have none. */
   smooth(part, which = (_node, _i) => true) {
     const {nodes, closed} = part, n = nodes.length;
     nodes.forEach((node, i) => {

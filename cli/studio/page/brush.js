@@ -1,5 +1,5 @@
-// The brush: a stroke along a curve paints the side on which it runs, the ground or a coat over it; in the view from
-// above, how far around the axis a coat lies.
+// The brush: a stroke along a curve paints the side on which it runs, the ground or a coat over it; in the top view it
+// paints how far a coat reaches around the axis.
 import {linearOf} from '../../../render/page/color.js';
 import {$, $$} from '../../../render/page/messages.js';
 
@@ -25,9 +25,9 @@ export class Brush {
     this.at = null;
   }
 
-  // ---- What is under the brush. ----
+  // ---- Under the brush. ----
 
-  /** All lines of a view that paint can lie on, as long as neither the drawing nor its measure changes. */
+  /** All paintable lines of a view; kept until the drawing or its scale changes. */
   lines(view) {
     const {studio: {drawing, toMetres}} = this, known = this.known?.[view];
     if (known?.drawing === drawing && known.toMetres === toMetres) return known.lines;
@@ -37,8 +37,8 @@ export class Brush {
   }
 
   /**
-   * The line and side that a stroke from here paints: the nearest in reach; of two as good as alike, the chosen
-   * curve's.
+   * The line and side that a stroke from here paints: the nearest in reach; of two at nearly the same distance, that of
+   * the selected curve.
    */
   found(pane, place) {
     const {studio} = this, at = onTheRight(studio, pane.view, place), id = studio.selected?.curve?.id;
@@ -52,7 +52,7 @@ export class Brush {
   }
   sideAt({line: {surface}, side}) { return sideNamed(this.studio.drawing, surface.name, side); }
   keyOf(surface, side) { return `${surface.name}/${side}`; }
-  /** The coat that is painted on a side: the one chosen there, else the topmost. */
+  /** The coat that is painted on a side: the selected one, else the topmost. */
   coatOf(surface, side) {
     const {coats} = sideNamed(this.studio.drawing, surface.name, side) || {coats: []};
     const wanted = this.coats[this.keyOf(surface, side)];
@@ -150,7 +150,7 @@ export class Brush {
     this.studio.redraw();
   }
 
-  /** To one place of the page: on the line that is one place, and all between it and the last one. */
+  /** Continues the stroke to a place of the page: covers the place on the line and all places since the last one. */
   dab(place) {
     const {stroke, studio} = this, {line, pane, key} = stroke;
     const found = nearestOn(line, onTheRight(studio, pane.view, place)), radius = this.size / 2 / pane.scale;
@@ -170,7 +170,7 @@ export class Brush {
     stroke.spans = joined([...stroke.spans, [Math.min(from, middle), Math.max(from, middle)]], 2 * stroke.hard);
   }
 
-  /** What is covered: runs of [place, share], fading from the spans on both sides. */
+  /** The covered runs of [place, share], with fading ends. */
   covers() {
     const {spans, reach, hard, line: {circular}} = this.stroke, runs = [];
     for (const [low, high] of joined(
@@ -178,7 +178,7 @@ export class Brush {
       const run = [[low - reach, 0], [low - hard, 1], [high + hard, 1], [high + reach, 0]];
       const last = runs[runs.length - 1], end = last?.[last.length - 1][0];
       if (end > low - reach) {
-        // Two fading ends meet where they are alike.
+        // Two fading ends meet where they are equal.
         const middle = (end + low - reach) / 2;
         last.splice(-1, 1, [middle, (end - middle) / (reach - hard)], ...run.slice(1));
       } else runs.push(run);
@@ -219,7 +219,7 @@ export class Brush {
     }
     stroke.pane.drawMarks();
     studio.preview();
-    // What faces air is not in a section.
+    // A side that faces air is not visible in a section.
     if (stroke.side.hidden) studio.assets.ask({texts: studio.dragging});
   }
 
@@ -236,7 +236,7 @@ export class Brush {
     studio.say(`the brush has ${color}`);
   }
 }
-/** Spans in their order, those together that are no further apart than `gap`. */
+/** Sorted spans; those with a distance of at most `gap` are joined. */
 function joined(spans, gap) {
   const all = [];
   for (const [low, high] of [...spans].sort((a, b) => a[0] - b[0])) {
@@ -246,7 +246,7 @@ function joined(spans, gap) {
   }
   return all;
 }
-/** What of a run lies within 0..1. */
+/** The part of a run within 0..1. */
 function clipped(run) {
   const at = (t) => rampAt({kind: shareKind, stops: run.map(([place, value]) => ({at: place, value}))}, t);
   const [low, high] = [run[0][0], run[run.length - 1][0]];
@@ -257,7 +257,7 @@ function clipped(run) {
 }
 const overTheSeamIf = (key, ramp) => (key === 'turn' ? overTheSeam(ramp) : ramp);
 
-/** The brush's own row of the toolbar. */
+/** The brush's row of the toolbar. */
 export function showBrush(studio) {
   const {brush, tool, drawing} = studio;
   $('brush').hidden = tool !== 'brush';
@@ -291,7 +291,7 @@ export function attachBrush(studio) {
   });
   for (const button of $$('[data-what]')) button.addEventListener('click', () => setWhat(studio, button.dataset.what));
 }
-/** "ground", "coat", or "new": the next stroke begins a coat. */
+/** "ground", "coat", or "new": the next stroke starts a new coat. */
 export function setWhat(studio, what) {
   Object.assign(studio.brush, {what: what === 'new' ? 'coat' : what, fresh: what === 'new'});
   if (studio.tool !== 'brush') studio.setTool('brush');

@@ -1,5 +1,5 @@
-// The drawing: curves and pictures of both views, from the two texts; and the texts anew when a curve has changed.
-// Places are those of the page of the SVG; of curves that the template holds itself, of its own units.
+// The drawing: curves and pictures of both views, read from the two texts, and the new texts after a change. Places are
+// on the page of the SVG; those of curves in the template itself have its units.
 import {Bezier} from './bezier.js';
 import {A, attributeOf, edited, elementsOf, encoded, offsetOf} from './svg_text.js';
 import {surfacesIn} from './toml_curves.js';
@@ -11,7 +11,7 @@ const viewNames = {
   'top-view': 'top'
 };
 
-/** What a curve is for, by its name: only surfaces' curves are closed, named and judged. */
+/** The purpose of a curve, by its name: only curves of surfaces are closed, named and checked. */
 function kindOf(name) {
   const plain = plainName(name);
   if (plain === 'axis') return 'axis';
@@ -121,7 +121,7 @@ export class Drawing {
     this.curves = this.curves.filter(({parts}) => parts.length > 0 && parts[0].nodes.length > 0);
   }
 
-  /** The axis of a view on the page: [bottom, top] of the side view, the point of the top view twice. */
+  /** The axis of a view on the page: [bottom, top] in the side view, twice the point in the top view. */
   axis(view) {
     const drawn = this.curves.find((curve) => curve.view === view && curve.kind === 'axis');
     if (!drawn) return this.texts.svg ? null : [[0, 0], [0, -1]];
@@ -134,7 +134,7 @@ export class Drawing {
       .map(({parts: [{nodes}]}) => [nodes[0].p, nodes[nodes.length - 1].p]);
   }
 
-  /** The surface that a curve is of, if any: by the name that the template gives it. */
+  /** The surface of a curve, if any, by the name in the template. */
   surfaceOf(curve) {
     if (curve.file === 'toml') return this.surfaces.find(({from, to}) => from <= curve.from && curve.to <= to);
     const word = `#${plainName(curve.name)}`;
@@ -143,7 +143,7 @@ export class Drawing {
         (curve.view === 'side' ? [vertical] : horizontal).some((t) => t && plainName(t.text) === word));
   }
 
-  /** The texts with other nodes for a curve. */
+  /** The texts with new nodes of a curve. */
   withParts(curve, parts) {
     const back = A.inverse(curve.matrix), path = Bezier.write(Bezier.mapped(parts, (p) => A.point(back, p)));
     return {
@@ -161,7 +161,7 @@ export class Drawing {
         this.texts.svg, [{from: cx.from, to: cx.to, text: text(p[0])}, {from: cy.from, to: cy.to, text: text(p[1])}])
     };
   }
-  /** "scale 42mm" says how large the fruit is, "stone" which surface a curve is of. */
+  /** "scale 42mm" is the size of the fruit, "stone" a curve of this surface. */
   renamed(curve, name) {
     const label = curve.element?.attributes['inkscape:label'] || curve.element?.attributes.id;
     return label ? {...this.texts, svg: edited(this.texts.svg, [{from: label.from, to: label.to, text: encoded(name)}])}
@@ -174,7 +174,7 @@ export class Drawing {
     if (this.texts.svg[to] === '\n') ++to;
     return {...this.texts, svg: edited(this.texts.svg, [{from, to, text: ''}])};
   }
-  /** A curve more at the end of its layer, or of the group of that name within it. */
+  /** Adds a curve at the end of its layer, or of the group with this name in it. */
   withCurve(view, name, parts, color = '#c02050') {
     const layer = this.layers?.[view];
     if (!layer) return null;
@@ -191,7 +191,7 @@ export class Drawing {
       color};stroke-width:0.6"\n       d="${path}" />\n  `;
     return {...this.texts, svg: edited(this.texts.svg, [{from: end, to: end, text: element}])};
   }
-  /** The curve at a place of the SVG that a message names. */
+  /** The curve at the place of a message in the SVG. */
   curveAt(line, column) {
     const offset = offsetOf(this.texts.svg, line, column);
     return this.curves.find(({element}) => element && element.from <= offset && offset <= element.opened);

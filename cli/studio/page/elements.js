@@ -1,4 +1,4 @@
-// Elements of HTML and of SVG, made and filled.
+// Makes and fills elements of HTML and SVG.
 
 export const element = (tag, properties = {}, ...children) => {
   const made =

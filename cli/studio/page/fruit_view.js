@@ -1,4 +1,4 @@
-// The fruit itself, as it is cut live: the page's own picture (render/page), fed anew whenever the drawing changes.
+// The fruit, cut live: the page's own picture (render/page), updated when the drawing changes.
 import {fitCanvas} from '../../../render/page/board.js';
 import {Body, boxOfPoints, Shape} from '../../../render/page/body.js';
 import {Camera} from '../../../render/page/camera.js';
@@ -60,7 +60,7 @@ export class FruitView {
     new ResizeObserver(() => this.rearrange()).observe(canvas);
   }
 
-  /** Bytes of an asset; of several that come quickly, the last counts. */
+  /** Shows an asset; of several in quick succession only the last. */
   show(bytes) {
     if (this.worker) this.worker.postMessage({bytes, number: ++this.number}, [bytes.buffer]);
   }
@@ -71,7 +71,7 @@ export class FruitView {
     this.forget();
     const {picture} = this, fruit = new FruitTextures(picture.card, header);
     this.body = new Body(picture, fruit, new Shape(picture.card, skin, null, outwards));
-    // What is drawn anew with every stroke has no time for them.
+    // There is no time for them while every stroke redraws the fruit.
     this.body.faces.withDetails = false;
     fruit.takeRest(rest);
     this.body.takeSamples(rest.winding);
@@ -80,7 +80,7 @@ export class FruitView {
     this.setCut(this.mode);
     this.changed();
   }
-  /** What the card held of the fruit before. */
+  /** Frees the textures of the previous fruit. */
   forget() {
     const {body, picture: {gl}} = this;
     if (!body) return;
@@ -91,7 +91,7 @@ export class FruitView {
     for (const {array} of [body.mesh, this.glass]) gl.deleteVertexArray(array);
   }
 
-  // ---- What is seen. ----
+  // ---- What is shown. ----
 
   /** "whole", "glass", "half" or "across". */
   setCut(mode) {
@@ -160,7 +160,7 @@ export class FruitView {
     this.settled = !more;
     if (more) this.ask();
   }
-  /** All surfaces, seen through each other (paper, Figure 9). */
+  /** All surfaces, transparent (paper, Figure 9). */
   drawGlass(view) {
     const {gl, card, passes: {empty}} = this.picture, u = card.use(this.glassProgram);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);

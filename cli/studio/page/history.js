@@ -1,4 +1,4 @@
-// Undo and redo: the texts as they were.
+// Undo and redo of the texts.
 
 /** @typedef {{toml: string, svg: string}} Texts */
 
@@ -12,7 +12,7 @@ export class History {
     this.now = texts;
   }
   /**
-   * A step that can be taken back.
+   * Adds a step that can be undone.
    * @param {Texts} texts
    */
   push(texts) {

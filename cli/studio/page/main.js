@@ -1,4 +1,4 @@
-// The beginning of the studio's page.
+// Starts the studio's page.
 import {$} from '../../../render/page/messages.js';
 
 import {Bezier, nodeAt} from './bezier.js';
@@ -21,7 +21,7 @@ import {A} from './svg_text.js';
     failed: (text) => studio.bar(text)
   });
   if (!studio.view.picture.gl) studio.view = null;
-  // For tests and for the curious.
+  // For tests and for the console.
   studio.modules = {A, Bezier, hexOf, nodeAt, putRamp, showBrush, sideNamed, sideOf};
   attachPanel(studio);
   studio.setTool('nodes');

@@ -1,4 +1,4 @@
-// Hands on curves: nodes and handles are dragged, whole curves too; nodes come and go; ends snap to the axis, loops to
+// The node tool: drags nodes, handles and whole curves, adds and removes nodes, snaps ends to the axis and loops to
 // fold lines.
 import {Bezier, near} from './bezier.js';
 
@@ -94,14 +94,14 @@ export class NodeTool {
       for (const key of ['p', 'before', 'after']) node[key] = [node[key][0] + dx, node[key][1] + dy];
   }
 
-  /** All chosen nodes go along; the one that is held snaps, and the others keep their distance to it. */
+  /** Moves all selected nodes; the dragged one snaps, and the others keep their distance to it. */
   dragNodes(pane, parts, {part, node}, by, event) {
     const {studio} = this, held = parts[part].nodes[node], free = [held.p[0] + by[0], held.p[1] + by[1]];
     const snapped = event.ctrlKey ? free : this.snapped(pane, free, parts[part], node);
     const way = [snapped[0] - held.p[0], snapped[1] - held.p[1]];
     parts.forEach(({nodes}, k) => this.shift(nodes.filter((_, i) => studio.isChosen(k, i)), way));
   }
-  /** The other handle of a smooth node stays opposite, as long as Shift is not held. */
+  /** Without Shift, the other handle of a smooth node stays opposite. */
   dragHandle(node, which, /** @type {number[]} */[dx, dy], event) {
     const other = which === 'before' ? 'after' : 'before';
     const length = Math.hypot(node[other][0] - node.p[0], node[other][1] - node.p[1]);
@@ -115,7 +115,10 @@ export class NodeTool {
     node[other] = [node.p[0] + way[0] / long * length, node.p[1] + way[1] / long * length];
   }
 
-  /** To the axis: ends of open curves of the side view; to fold lines: nodes of the top view. Within eight pixels. */
+  /**
+   * Snaps ends of open curves of the side view to the axis, and nodes of the top view to fold lines, within eight
+   * pixels.
+   */
   snapped(pane, place, part, node) {
     const {drawing} = this.studio, lines = [], isEnd = !part.closed && (node === 0 || node === part.nodes.length - 1);
     if (pane.view === 'side' && isEnd && drawing.axis('side')) lines.push({line: drawing.axis('side'), endless: true});
@@ -139,7 +142,7 @@ export class NodeTool {
     const {studio, grab} = this, at = pane.placeOn(event), {last} = this;
     this.grab = null;
     if (!grab) return;
-    // What was clicked has been drawn anew since, so that browsers tell of no double click.
+    // The clicked element has been redrawn since, so browsers report no double click.
     this.last = grab.moved ? null : {pane, at, time: event.timeStamp};
     const twice = last?.pane === pane && (studio.tool === 'nodes' || studio.tool === 'pen');
     if (
@@ -154,7 +157,7 @@ export class NodeTool {
     else if (grab.kind !== 'pan') pane.draw();
   }
 
-  /** Two clicks on a line: a node more there. */
+  /** Two clicks on a line add a node. */
   insert(pane, at, kind) {
     const {studio} = this, curve = studio.selected?.curve;
     if (studio.tool === 'pen') {
@@ -191,7 +194,7 @@ export class NodeTool {
     studio.commit(studio.drawing.withParts(curve, left), 'nodes deleted');
     studio.chosen.clear();
   }
-  /** Chosen nodes become smooth, or corners if they are smooth. */
+  /** Makes selected nodes smooth, or corners if they are smooth. */
   toggleSmooth() {
     const {studio} = this, curve = studio.selected?.curve;
     if (!curve || curve.dot) return;

@@ -1,5 +1,5 @@
-// Colours: what every side has, as bars of stops: its ground, the coats over it and how far each reaches, its spots.
-// Stops are dragged along their bar, painted, added and taken away, by mouse and keys.
+// The colours of every side as bars of stops: the ground, the coats with their reach, the spots. Stops are dragged
+// along their bar, painted, added and removed, by mouse and keys.
 import {linearOf} from '../../../render/page/color.js';
 import {$, $$} from '../../../render/page/messages.js';
 
@@ -9,7 +9,7 @@ import {sideNamed, sideOf, sideWords, withCoat, withoutCoat} from './side_text.j
 import {edited} from './svg_text.js';
 import {entryOf, withEntry} from './toml_tree.js';
 
-/** A ramp by its path within a side: ['ground', 'along'], ['coats', 0, 'color'], ['spots', 1]. */
+/** A ramp by its path in a side: ['ground', 'along'], ['coats', 0, 'color'], ['spots', 1]. */
 function rampIn(side, path) {
   if (path[0] === 'spots') return readRamp(colorKind, entryOf(side?.spots[path[1]], 'color'), [0, 0, 0]);
   return path.reduce((value, key) => value?.[key], side);
@@ -27,7 +27,7 @@ export function setChosenColor(studio, color) {
   putRamp(studio, {ramp}, stops, `${chosenStop.surface}: ${color}`);
   return true;
 }
-/** A ramp with other stops; one that is not written yet becomes a key of its table. */
+/** Writes the stops of a ramp; a new ramp becomes a key of its table. */
 export function putRamp(studio, {ramp, table = null, key = ''}, stops, words) {
   const {toml} = studio.texts;
   const edit = ramp.node ? rampEdit(toml, ramp, stops) : withEntry(toml, table, key, rampText(ramp.kind, stops));
@@ -72,10 +72,7 @@ function rowOf(bar, label, buttons = [], inner = false) {
   return row;
 }
 
-/**
- * A coat: its colour, as thick as it covers; and, of the one that the brush paints, how far it reaches along and
- * around.
- */
+/** A coat: its colour with its opacity; for the coat that the brush paints also its reach along and around. */
 function coatRows(studio, surface, side, coat, at) {
   const {brush} = studio, label = `coat ${coat.index + 1}`;
   const chosen = brush.coats[brush.keyOf(surface, side.which)] === coat.index && brush.what === 'coat' && !brush.fresh;
@@ -113,7 +110,7 @@ function chooseCoat(studio, surface, side, index) {
   studio.setTool('brush');
   studio.say(`${wordsFor({surface, side})}: paint where coat ${index + 1} lies, from the side and from above`);
 }
-/** It covers all until it is painted, or its reach is drawn: so it is seen at once. */
+/** Until it is painted, or its reach is drawn, it covers everything, so that it is visible at once. */
 function addCoat(studio, surface, side) {
   const {brush} = studio, index = side.coats.length;
   brush.coats[brush.keyOf(surface, side.which)] = index;
@@ -128,7 +125,7 @@ function addCoat(studio, surface, side) {
 
 // ---- Bars. ----
 
-/** As the program mixes: in linear light. A coat is as thick there as it covers. */
+/** The colour mixed as in the program, in linear light, with the coat's opacity there. */
 function gradient(ramp, over) {
   const places = [...new Set([0, 1, ...ramp.stops.map(({at}) => at), ...(over?.stops || []).map(({at}) => at)])].sort(
     (a, b) => a - b);
@@ -149,7 +146,7 @@ function colorBar(studio, at) {
   ramp.stops.forEach((_, i) => bar.append(stopOf(studio, at, i, bar)));
   return bar;
 }
-/** A share as a line over its bar: higher covers more. */
+/** A share as a line over its bar: higher means more cover. */
 function reachBar(studio, at) {
   const {ramp, key} = at, shown = key === 'turn' ? overTheSeam(ramp) : ramp;
   const bar = element('div', {className: 'bar reach', title: 'How far the coat covers; two clicks add a point'});
@@ -232,7 +229,7 @@ function dragStop(studio, at, i, bar, button, lay) {
     else if (isColor) chooseStop(studio, at, i, button);
   });
 }
-/** Stops ascend: one goes no further than its neighbours. */
+/** A stop stays between its neighbours. */
 function within(stops, i, place) {
   const low = i > 0 ? stops[i - 1].at + 0.002 : 0, high = i + 1 < stops.length ? stops[i + 1].at - 0.002 : 1;
   return Math.max(low, Math.min(high, place));
@@ -248,7 +245,7 @@ function moveStop(studio, at, i, place, value) {
     studio, at, ramp.stops.map((stop, k) => (k === i ? to : stop)),
     `${wordsFor(at)}: ${ramp.kind === colorKind ? `stop at ${to.at}` : `${Math.round(100 * to.value)} % at ${to.at}`}`);
 }
-/** The palette of the browser, at the stop. */
+/** The browser's colour dialog at the stop. */
 function palette(studio, button, color) {
   const input = element('input', {type: 'color', value: color, className: 'palette', tabIndex: -1});
   button.parentElement.append(input);
@@ -260,7 +257,7 @@ function palette(studio, button, color) {
   input.click();
 }
 
-/** A stop between two others, or beyond them; a value alone becomes a ramp. */
+/** Adds a stop between two others, or beyond them; a constant becomes a ramp. */
 function addStop(studio, at, share) {
   const {ramp} = at, place = Number(Math.max(0, Math.min(1, share)).toFixed(3));
   const value = rampAt(at.key === 'turn' ? overTheSeam(ramp) : ramp, place);

@@ -1,5 +1,5 @@
-// One view of the drawing: below, pixels (the photograph, and the section over or under it); above, curves that hands
-// take hold of.
+// One view of the drawing: pixels (the photograph, and the section over or under it), and on them the curves that can
+// be dragged.
 import {Bezier, near} from './bezier.js';
 import {svgElement} from './elements.js';
 import {drawBrush} from './ribbon.js';
@@ -29,7 +29,7 @@ export class Pane {
     }).observe(root);
   }
 
-  // ---- Where things are. ----
+  // ---- Coordinates. ----
 
   /** @param {number[]} p on the page */
   onScreen([x, y]) { return [x * this.scale + this.offset[0], y * this.scale + this.offset[1]]; }
@@ -50,7 +50,7 @@ export class Pane {
     this.draw();
   }
 
-  /** All curves and pictures of this view, and some room around them. */
+  /** All curves and pictures of this view, with a margin. */
   fit() {
     const points =
       this.studio.drawing.curves.filter(({view, kind}) => view === this.view && kind !== 'scale')
@@ -64,7 +64,7 @@ export class Pane {
         points.push(
           ...[[x, y], [x + width, y], [x, y + height], [x + width, y + height]].map((p) => A.point(matrix, p)));
     }
-    // Meshes have no curves, but a section.
+    // Meshes have a section but no curves.
     if (points.length === 0 && this.section?.placement)
       points.push(...[[0, 0], [this.section.canvas.width, this.section.canvas.height]].map(
         (p) => A.point(this.section.placement, p)));
@@ -72,7 +72,7 @@ export class Pane {
     if (points.length === 0 || clientWidth < 20) return;
     const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k])));
     const high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));
-    // The other half of the fruit is in the picture, too.
+    // The picture also shows the other half of the fruit.
     const axis = this.view === 'side' && this.studio.drawing.axis('side');
     if (axis) low[0] = Math.min(low[0], 2 * axis[0][0] - high[0]);
     this.scale = 0.86 * Math.min(clientWidth / (high[0] - low[0] || 1), clientHeight / (high[1] - low[1] || 1));
@@ -119,7 +119,7 @@ export class Pane {
     context.globalAlpha = 1;
   }
 
-  /** A section from the server: laid where the drawing has it, by the reader's own measure. */
+  /** Shows a section from the server at its place in the drawing, in the reader's scale. */
   takeSection(picture, toMetres) {
     if (!toMetres) {
       this.section = null;
@@ -129,7 +129,7 @@ export class Pane {
     const {width, height, corner, right, down} = picture;
     Object.assign(canvas, {width, height});
     canvas.getContext('2d', {willReadFrequently: true}).putImageData(picture.image, 0, 0);
-    // In the plane of the view: x, and y upwards; seen from above that is -z.
+    // In the plane of the view: x, and upwards y, or -z in the top view.
     const flat = this.view === 'side' ? (p) => [p[0], p[1]] : (p) => [p[0], -p[2]];
     const [c, r, d] = [flat(corner), flat(right), flat(down)];
     const toPlane = [r[0] / width, r[1] / width, d[0] / height, d[1] / height, c[0], c[1]];
@@ -210,7 +210,7 @@ export class Pane {
     }));
   }
 
-  /** Blur as a circle on its curve, as wide as the colours of both sides run into one another (paper, Figure 2). */
+  /** The blur as a circle on its curve, as wide as the colours of both sides blend (paper, Figure 2). */
   drawBlur() {
     const {studio} = this, unit = studio.unitOf(this.view);
     if (!studio.shown.blur || !unit) return;

@@ -1,4 +1,4 @@
-// The pictures under the drawing: loaded once, drawn where the SVG places them, and asked for colours.
+// The pictures under the drawing: loaded once, drawn where the SVG places them, and sampled for colours.
 import {A} from './svg_text.js';
 
 const mostPixelsAcross = 4096;
@@ -18,7 +18,7 @@ export class Pictures {
     this.loaded.set(href, entry);
     this.load(href)
       .then((image) => {
-        // Tracing and picking look at all pixels, and every redraw draws them: more than a screen has are of no use.
+        // Tracing and picking read all pixels, and every redraw draws them, so limit them to those of a screen.
         const scale = Math.min(1, mostPixelsAcross / Math.max(image.width, image.height));
         const canvas = document.createElement('canvas');
         Object.assign(
@@ -38,7 +38,7 @@ export class Pictures {
     return null;
   }
   async load(href) {
-    // Only what is embedded, or what the server finds beside the template.
+    // Only embedded pictures, or pictures that the server finds beside the template.
     if (/^data:image\/(png|jpeg);base64,/.test(href)) {
       const text = atob(href.slice(href.indexOf(',') + 1).replace(/\s/g, ''));
       return createImageBitmap(new Blob([Uint8Array.from(text, (c) => c.charCodeAt(0))]));
@@ -47,7 +47,7 @@ export class Pictures {
     return createImageBitmap(await reply.blob());
   }
 
-  /** From pixels of a picture to the page. */
+  /** The matrix from pixels of a picture to the page. */
   placement({matrix, x, y, width, height, aspect}, {image}) {
     let sx = width / image.width, sy = height / image.height, dx = 0, dy = 0;
     if (!aspect.startsWith('none')) {
@@ -57,7 +57,7 @@ export class Pictures {
     return A.product(matrix, [sx, 0, 0, sy, x + dx, y + dy]);
   }
 
-  /** The colour at a place of the page, the median over a small square; or null. {color: '#rrggbb', linear} */
+  /** The colour at a place of the page, as the median over a small square: {color: '#rrggbb', linear}, or null. */
   colorAt(images, place) {
     for (const picture of [...images].reverse()) {
       const loaded = this.get(picture.href);

@@ -1,6 +1,5 @@
-// Where on a surface a place of the drawing is: along its vertical curve in the view from the side, around the axis or
-// in its fold in the view from above; and on which side of it. By the rules of the sweep: front is away from the axis,
-// or out of a loop.
+// The place on a surface of a point of the drawing: along its vertical curve in the side view, around the axis or in
+// its fold in the top view; and its side. As in the sweep, the front is away from the axis, or outside of a loop.
 import {Bezier} from './bezier.js';
 import {A} from './svg_text.js';
 import {entryOf} from './toml_tree.js';
@@ -22,9 +21,9 @@ const areaOf = (points) => points.reduce((sum, [x, y], i) => {
 const turnOf = ([x, y]) => (Math.atan2(y, x) / (2 * Math.PI) + 1) % 1;
 
 /**
- * A line that paint can lie on: {curve, surface, view, points, places, closed, circular, frontRight, long}. `points`
- * are on the page, `places` 0..1 at each; `long` is the length on the page of a ramp from 0 to 1 there; `frontRight`
- * says that the front is on the right of who walks along.
+ * A paintable line: {curve, surface, view, points, places, closed, circular, frontRight, long}. `points` are on the
+ * page, `places` 0..1 at each; `long` is the length on the page of a ramp from 0 to 1; `frontRight` is true if the
+ * front is on the right in the direction of the line.
  */
 function sideLine(studio, curve, surface) {
   const toMetres = studio.toMetres.side;
@@ -47,7 +46,7 @@ function sideLine(studio, curve, surface) {
   }
   const length = lengthsOf(points), whole = length[length.length - 1] || 1;
   const top = metres.reduce((best, p, i) => (p[1] > metres[best][1] ? i : best), 0);
-  // A loop in a fold is two arcs from its bottom to its top, and both have the same ramp.
+  // A loop in a fold is two arcs from its bottom to its top, with the same ramp.
   const places = !(closed && inFold)
     ? length.map((l) => l / whole)
     : length.map((l, i) => (i <= top ? l / (length[top] || 1) : (whole - l) / (whole - length[top] || 1)));
@@ -68,7 +67,7 @@ function sideLine(studio, curve, surface) {
 }
 
 /**
- * Rings of a surface as seen from above: its loops, or a circle. `places` are azimuths; `around` runs in every fold.
+ * The rings of a surface seen from above: its loops, or a circle. `places` are azimuths; `around` runs in every fold.
  */
 function topLines(studio, surface) {
   const toMetres = studio.toMetres.top, {drawing} = studio;
@@ -102,7 +101,7 @@ function topLines(studio, surface) {
     };
   });
 }
-/** As wide as its vertical curve, where no loop is drawn. */
+/** A circle as wide as the vertical curve, if no loop is drawn. */
 function circleOf(studio, surface, toPage) {
   const curve =
     studio.drawing.curves.find((c) => c.view === 'side' && studio.drawing.surfaceOf(c) === surface && c.parts[0]);
@@ -116,12 +115,12 @@ function circleOf(studio, surface, toPage) {
       (_, i) => A.point(toPage, [radius * Math.cos(i * Math.PI / 48), radius * Math.sin(i * Math.PI / 48)]))
   }];
 }
-/** Shares around: from the loop's first point in a fold; around the axis from fold line to fold line, or from +X. */
+/** Shares around: in a fold from the loop's first point; around the axis from fold line to fold line, or from +X. */
 function aroundOf(studio, surface, ring, turns) {
   const length = lengthsOf(ring), whole = length[length.length - 1] || 1;
   if (surface.type === 'in-fold') return {around: length.map((l) => l / whole), long: whole};
   const lines = foldTurns(studio), starts = lines.length ? lines : [0];
-  // Arc length from where the ring was at the azimuth of its first point, as a function of the azimuth.
+  // The arc length from the ring's first point, as a function of the azimuth.
   const unwrapped = turns.map((t, i) => (i === turns.length - 1 ? turns[0] + 1 : t < turns[0] - 1e-9 ? t + 1 : t));
   const lengthAt = (turn) => {
     const t = turn < turns[0] ? turn + 1 : turn, i = Math.max(1, unwrapped.findIndex((u) => u >= t));
@@ -138,7 +137,7 @@ function aroundOf(studio, surface, ring, turns) {
     })
   };
 }
-/** Where folds begin, as shares of the turn, ascending; none in a cylindrical fruit. */
+/** The starts of folds as ascending shares of the turn; none in a cylindrical fruit. */
 export function foldTurns(studio) {
   const {drawing} = studio, symmetry = entryOf(drawing.tree, 'symmetry');
   const count = Number(entryOf(symmetry, 'folds')?.text) || 0, toMetres = studio.toMetres.top;
@@ -154,7 +153,7 @@ export function foldTurns(studio) {
   return Array.from({length: count}, (_, k) => k / count);
 }
 
-/** Of a line, what lies nearest to a place of the page: {line, distance, point, way, place, around, side}. */
+/** The nearest point of a line to a place of the page: {line, distance, point, way, place, around, side}. */
 export function nearestOn(line, place) {
   let best = {line, distance: Infinity};
   const {points} = line;
@@ -166,7 +165,7 @@ export function nearestOn(line, place) {
     const point = [a[0] + t * way[0], a[1] + t * way[1]];
     const distance = Math.hypot(point[0] - place[0], point[1] - place[1]);
     if (distance >= best.distance) continue;
-    // On the page y runs downwards, so that a positive turn is one to the right.
+    // On the page y points down, so a positive turn is to the right.
     const right = way[0] * (place[1] - point[1]) - way[1] * (place[0] - point[0]) > 0;
     best = {
       line,
@@ -181,7 +180,7 @@ export function nearestOn(line, place) {
   return best;
 }
 
-/** The place mirrored at the axis if it lies left of it: the other half of a fruit is painted there, too. */
+/** A place left of the axis is mirrored, so that the other half of a fruit can be painted, too. */
 export function onTheRight(studio, view, place) {
   const m = view === 'side' && studio.toMetres.side;
   if (!m) return place;
@@ -189,7 +188,7 @@ export function onTheRight(studio, view, place) {
   return x < 0 ? A.point(A.inverse(m), [-x, y]) : place;
 }
 
-/** All lines of a view that paint can lie on. */
+/** All paintable lines of a view. */
 export function paintLines(studio, view) {
   const {drawing} = studio;
   if (view === 'top') return drawing.surfaces.flatMap((surface) => topLines(studio, surface));

@@ -1,5 +1,5 @@
-// Ramps as the template spells them, as values, and painted over; and written again so that stops which stay, stay as
-// they were. Colours are mixed as the program mixes them, in linear light.
+// Ramps: read from the template's text, painted over, and written again so that unchanged stops keep their text.
+// Colours are mixed as in the program, in linear light.
 import {linearOf} from '../../../render/page/color.js';
 
 export const hexOf = (linear) => `#${
@@ -10,7 +10,7 @@ export const hexOf = (linear) => `#${
                .padStart(2, '0'))
     .join('')}`;
 
-/** What a ramp's values are: how they are read, written, mixed, and when two look the same. */
+/** Kinds of values of ramps: how they are read, written, mixed, and when two look the same. */
 export const colorKind = {
   read: (node) => (node?.kind === 'string' && /^#[0-9a-f]{6}$/i.test(node.text) ? linearOf(node.text) : null),
   write: (value) => `"${hexOf(value)}"`,
@@ -28,8 +28,7 @@ export const shareKind = {
 };
 
 /**
- * {kind, node, stops: [{at, value, node}], constant}; null if there is something else. A missing node is `otherwise`
- * everywhere.
+ * {kind, node, stops: [{at, value, node}], constant}; null for anything else. A missing node is `otherwise` everywhere.
  */
 export function readRamp(kind, node, otherwise) {
   if (!node) return {kind, node: null, constant: true, stops: [{at: 0, value: otherwise}]};
@@ -55,8 +54,8 @@ export function rampAt({kind, stops}, t) {
 }
 
 /**
- * What runs around the whole fruit goes on over the seam, from the last stop to the first: as the reader has it, with
- * stops at 0 and 1.
+ * The stops of a ramp around the whole fruit, which continues over the seam from the last stop to the first, with stops
+ * at 0 and 1, as in the reader.
  */
 export function overTheSeam(ramp) {
   const {kind, stops} = ramp, [first, last] = [stops[0], stops[stops.length - 1]], gap = first.at + 1 - last.at;
@@ -70,7 +69,7 @@ export function overTheSeam(ramp) {
   return {...ramp, stops: all};
 }
 
-/** The points of a line that it takes to stay within what `same` says; the first and the last among them. */
+/** The points needed to approximate a line within `same`, including the first and the last. */
 function fewest(points, same) {
   const keep = (from, to) => {
     let worst = 0, at = -1;
@@ -87,9 +86,9 @@ function fewest(points, same) {
 }
 
 /**
- * Over a ramp lies paint, as thick as a stroke says: [[place, 0..1], ...], ascending, from one end of the stroke to the
- * other. Stops outside it stay; within it they are what `mixed(value, share, place)` makes of them, and no more than
- * are needed. A circular ramp has its stops at 0 and 1 (overTheSeam).
+ * Paints a stroke over a ramp: [[place, share 0..1], ...], ascending, from one end of the stroke to the other. Stops
+ * outside it stay; within it values are `mixed(value, share, place)`, with no more stops than needed. A circular ramp
+ * has stops at 0 and 1 (overTheSeam).
  */
 export function paintedOver(ramp, stroke, mixed, circular = false) {
   const round = (t) => Number(t.toFixed(3));
@@ -105,8 +104,7 @@ export function paintedOver(ramp, stroke, mixed, circular = false) {
   const before = ramp.constant ? [] : stops.filter(({at}) => at < round(low) - 0.0015);
   const after = ramp.constant ? [] : stops.filter(({at}) => at > round(high) + 0.0015);
   const all = [...before, ...painted, ...after];
-  // What lies on the line between its neighbours need not be said; what was there and is not painted over is left
-  // alone.
+  // Stops on the line between their neighbours are omitted; existing stops outside the stroke stay.
   const off = (a, b, p) =>
     (kind.alike(kind.mix(a.value, b.value, (p.at - a.at) / (b.at - a.at)), p.value)
        ? 0
@@ -120,14 +118,14 @@ export function paintedOver(ramp, stroke, mixed, circular = false) {
 }
 const distance = (a, b) =>
   (Array.isArray(a) ? Math.hypot(...a.map((v, k) => Math.cbrt(v) - Math.cbrt(b[k]))) : Math.abs(a - b));
-/** Ramps stay as they are beyond their outermost stops: two alike at an end are one. */
+/** A ramp is constant beyond its outermost stops, so two equal stops at an end become one. */
 function withoutEnds(kind, stops, atStart, atEnd) {
   const left = [...stops];
   while (atStart && left.length > 1 && kind.alike(left[0].value, left[1].value)) left.shift();
   while (atEnd && left.length > 1 && kind.alike(left[left.length - 1].value, left[left.length - 2].value)) left.pop();
   return left;
 }
-/** Of stops around the whole fruit, those at the seam are not needed where the others say the same. */
+/** Removes stops at the seam of the whole fruit if the others imply them. */
 export function withoutSeam(kind, stops) {
   const inner = stops.filter(({at}) => at > 0 && at < 1), [first, last] = [stops[0], stops[stops.length - 1]];
   if (inner.length === 0 || first.at > 0 || last.at < 1 || !kind.alike(first.value, last.value)) return stops;
@@ -137,7 +135,7 @@ export function withoutSeam(kind, stops) {
 
 const placeText = (at) => (Number.isInteger(at) ? at.toFixed(1) : String(Number(at.toFixed(3))));
 const stopText = (kind, {at, value}) => `[${placeText(at)}, ${kind.write(value)}]`;
-/** As a value of TOML: one stop is a value alone; long ones are broken. */
+/** A ramp as a TOML value: one stop is a plain value; long ones are wrapped. */
 export function rampText(kind, stops) {
   if (stops.length === 1) return kind.write(stops[0].value);
   return `[${brokenList(stops.map((stop) => stopText(kind, stop)))}]`;
@@ -153,7 +151,7 @@ function brokenList(texts) {
     .join('');
 }
 
-/** The edit that makes a ramp's text say these stops: what stays at its ends is not touched, and no comment is lost. */
+/** The edit of a ramp's text for these stops: unchanged stops at its ends are not touched, and no comment is lost. */
 export function rampEdit(toml, {kind, node, constant, stops: old}, stops) {
   if (constant || stops.length === 1) return {from: node.from, to: node.to, text: rampText(kind, stops)};
   const same = (a, b) => a && b && a.node && a.at === b.at && a.value === b.value;
@@ -173,7 +171,7 @@ export function rampEdit(toml, {kind, node, constant, stops: old}, stops) {
   const commentsIn =
     (a, b) => [...toml.slice(a, b).matchAll(/(?<=[\s,])#[^\n]*\n/g)].map(([text]) => `${text}    `).join('');
   if (texts.length > 0) return {from, to, text: commentsIn(from, to) + brokenList(texts)};
-  // A comma is one too many: the one before at the end of the list, else the one behind.
+  // Remove one comma: at the end of the list the one before, else the one after.
   const [edge, next] = end > 0 ? [from, old[old.length - end].node.from] : [old[start - 1].node.to, to];
   const comments = commentsIn(edge, next);
   return {from: edge, to: next, text: comments && end === 0 ? `  ${comments}` : comments};

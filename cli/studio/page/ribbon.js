@@ -1,13 +1,13 @@
-// What lies on both sides of a curve, drawn beside it while one paints: each side's colours as the template has them
-// now, and how far the coat reaches that is being painted.
+// Ribbons on both sides of a curve while painting: each side's current colours in the template, and the reach of the
+// coat that is painted.
 import {svgElement} from './elements.js';
 import {hexOf, overTheSeam, rampAt} from './ramp.js';
 import {sideColor, sideNamed} from './side_text.js';
 import {tomlTree} from './toml_tree.js';
 
 /**
- * A strip along a line on the screen, from one distance beside it to another (to the right is positive), one path per
- * run of one look.
+ * A strip along a line on the screen between two distances beside it (positive to the right), with one path per run of
+ * equal look.
  */
 function strip(pane, line, from, to, lookAt) {
   const {points} = line, step = Math.max(1, Math.floor(points.length / 160)), indices = [], paths = [];
@@ -29,14 +29,14 @@ function strip(pane, line, from, to, lookAt) {
   }
   return paths;
 }
-/** The page's rules let no style stand in an attribute, but scripts set it. */
+/** The page's security policy forbids style attributes, but scripts can set styles. */
 function tinted(shape, {fill, opacity}) {
   Object.assign(shape.style, {fill, fillOpacity: opacity.toFixed(2)});
   return shape;
 }
 const same = (a, b) => a.fill === b.fill && Math.abs(a.opacity - b.opacity) < 0.02;
 
-/** Both sides of the line that is under the brush, the coat on top of them, and the brush itself. */
+/** Both sides of the line under the brush, the coat on top, and the brush itself. */
 export function drawBrush(pane) {
   const {studio} = pane, {brush} = studio, at = brush.at?.pane === pane ? brush.at : null;
   const shown = at?.found || restingLine(pane);
@@ -48,7 +48,7 @@ export function drawBrush(pane) {
     svgElement('circle', {class: 'brush under', cx, cy, r: brush.size / 2}),
     wipes ? rim : tinted(rim, {fill: brush.color, opacity: 0.25}));
 }
-/** With no pointer near: the chosen curve's. */
+/** Without a pointer nearby: the ribbons of the selected curve. */
 function restingLine(pane) {
   const {studio} = pane, surface = studio.selected?.curve && studio.drawing.surfaceOf(studio.selected.curve);
   const line = surface && studio.brush.lines(pane.view).find(({surface: {name}}) => name === surface.name);
@@ -81,7 +81,7 @@ function drawRibbons(pane, {line, side: hovered}, at) {
   const point = pane.onScreen(at.found.point);
   pane.marks.append(svgElement('circle', {class: 'brush spot', cx: point[0], cy: point[1], r: 3}));
 }
-/** How a coat's reach looks along a line: its colour, as thick as it covers there. */
+/** The look of a coat's reach along a line: its colour, with its opacity there. */
 function reachOf(coat, line, brush) {
   const key = line.view === 'side' ? 'along' : brush.eachFold || line.surface.type === 'in-fold' ? 'around' : 'turn';
   const places = key === 'around' ? line.around : line.places;

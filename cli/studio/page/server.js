@@ -1,8 +1,8 @@
-// Talking to the program: JSON in, JSON or bytes out; what it refuses comes back as an error with all its words.
+// Requests to the program: JSON in, JSON or bytes out; a refusal is an error with its messages.
 
 export class Refusal extends Error {
   /**
-   * @param {number} status of HTTP; 0 where nobody answers
+   * @param {number} status of HTTP; 0 without an answer
    * @param {{message: string, hint?: string}[]} errors
    */
   constructor(status, errors) {
@@ -69,7 +69,7 @@ export class Server {
 }
 
 /**
- * Does one thing at a time; of what is asked for meanwhile, the last.
+ * Runs one task at a time; of the requests in the meantime only the last.
  * @template T
  */
 export class Latest {

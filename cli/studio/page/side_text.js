@@ -1,5 +1,5 @@
-// What is painted on the sides of surfaces, as the template's text has it: the ground's ramps and the coats over it;
-// and the edits that paint there.
+// The paint on the sides of surfaces in the template's text: the ground's ramps and the coats over it; and the edits
+// that paint there.
 import {
   colorKind,
   hexOf,
@@ -23,7 +23,7 @@ const coatRamps = ['along', 'around', 'turn'];
 
 /**
  * {node, ground: {along, around, turn}, coats: [{node, index, color, along, around, turn}], spots, hidden}; null
- * without such a side.
+ * without this side.
  */
 export function sideOf(tree, surfaceIndex, which) {
   const surface = entryOf(tree, 'surface')?.items?.[surfaceIndex], node = entryOf(surface, which);
@@ -63,7 +63,7 @@ const meanOf = (ramp) => Array.from({length: 32}, (_, i) => rampAt(ramp, (i + 0.
                              (sum, v) => (Array.isArray(v) ? sum.map((s, k) => s + v[k] / 32) : sum + v / 32),
                              ramp.kind === colorKind ? [0, 0, 0] : 0);
 
-/** The colour of a side at a place along, what lies around it in the mean; linear. */
+/** The colour of a side at a place along, averaged around; linear. */
 export function sideColor({ground, coats}, along) {
   const factors = [ground.around, ground.turn].map((ramp) => (ramp && !ramp.constant ? meanOf(ramp) : [1, 1, 1]));
   let color =
@@ -77,9 +77,9 @@ export function sideColor({ground, coats}, along) {
   return color;
 }
 
-// ---- Edits: each gives the template's text anew. ----
+// ---- Edits: each returns the new text of the template. ----
 
-/** The ground painted with a colour, as thick as `covers` say: runs of [place, share]. */
+/** Paints the ground with a colour; `covers`: runs of [place, share]. */
 export function groundPainted(toml, side, covers, color) {
   const ramp = covers.reduce(
     (r, cover) =>
@@ -88,7 +88,7 @@ export function groundPainted(toml, side, covers, color) {
   return edited(toml, [rampEdit(toml, side.ground.along, ramp.stops)]);
 }
 
-/** A coat's reach, painted or wiped off. Where nothing was said it covered all, and begins anew under the brush. */
+/** Paints or wipes off a coat's reach. A coat without a reach covered everything; it starts anew under the brush. */
 export function reachPainted(toml, coat, key, covers, {erase = false} = {}) {
   const known = coat[key], circular = key === 'turn';
   const begun = known.node || erase ? known : {...known, stops: [{at: 0, value: 0}], constant: true};
@@ -100,7 +100,7 @@ export function reachPainted(toml, coat, key, covers, {erase = false} = {}) {
   return known.node ? rampEdit(toml, known, stops) : withEntry(toml, coat.node, key, rampText(shareKind, stops));
 }
 
-/** A coat painted along its curve in a colour: what lies there already shows through as far as the brush lets it. */
+/** Paints a coat along its curve in a colour; the existing colour shows through by the brush's opacity. */
 export function coatPainted(toml, coat, covers, color) {
   const edits = [reachPainted(toml, coat, 'along', covers)];
   const old = coat.along.node ? coat.along : {...coat.along, stops: [{at: 0, value: 0}]};
@@ -116,7 +116,7 @@ export function coatPainted(toml, coat, covers, color) {
   return edited(toml, edits);
 }
 
-/** One coat more, over all others: written as those that are there are. `fields` are texts of TOML. */
+/** Adds a coat over all others, in the notation of the existing ones. `fields` are texts of TOML. */
 export function withCoat(toml, side, fields) {
   const words = Object.entries(fields).map(([key, text]) => `${key} = ${text}`), inline = `{ ${words.join(', ')} }`;
   const list = entryOf(side.node, 'coats');

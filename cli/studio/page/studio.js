@@ -1,4 +1,4 @@
-// The studio: what is edited, what is chosen, and what of it goes to the program and comes back.
+// The studio: the edited texts, the selection, and the requests to the program with their replies.
 import {$, $$} from '../../../render/page/messages.js';
 
 import {Brush, showBrush} from './brush.js';
@@ -34,7 +34,7 @@ export class Studio {
     this.view = null;
     /** @type {any} for tests */
     this.modules = null;
-    /** {surface, side, path, stop}: the colour that the pipette fills, or null. */
+    /** The colour that the pipette sets: {surface, side, path, stop}, or null. */
     this.chosenStop = null;
     this.pictures = new Pictures(server, {changed: () => this.redraw(), failed: (text) => this.bar(text)});
     this.panes = {};
@@ -85,7 +85,7 @@ export class Studio {
   }
   say(text) { $('kept').textContent = text; }
 
-  /** One step: it can be undone, is kept on disk, and shows. */
+  /** One edit: it can be undone, is stored on disk, and is displayed. */
   commit(texts, words = '') {
     if (!texts || !this.history.push(texts)) {
       this.dragged = null;
@@ -101,7 +101,7 @@ export class Studio {
     this.sending.ask();
     this.refresh();
   }
-  /** A stroke is about places in the text that is there; it ends before another comes. */
+  /** A stroke refers to places in the current text, so it ends before another text comes. */
   undo() {
     this.brush.cancel();
     if (this.history.undo()) this.changed();
@@ -142,7 +142,7 @@ export class Studio {
     this.redraw();
   }
 
-  // ---- Dragging: seen at once, kept when let go. ----
+  // ---- Dragging: displayed at once, stored at the end. ----
 
   drag(parts) {
     this.dragged = parts;
@@ -170,22 +170,22 @@ export class Studio {
     if (texts) this.commit(texts);
   }
 
-  // ---- What the program makes of it. ----
+  // ---- Replies of the program. ----
 
-  /** Pictures weigh much, and the engine does not look at them. */
+  /** Embedded pictures are large, and the engine does not need them. */
   bare({toml, svg}) { return {toml, svg: svg.replace(/(xlink:href|href)="data:[^"]*"/g, '$1="data:,"')}; }
   wanted(texts, extra) { return {...this.bare(texts), ...this.look, ...extra}; }
 
   async fetchSection({texts, draft, began}) {
     try {
-      // Under the curves lies the fruit as it is drawn, not a variant.
+      // Under the curves is the fruit as drawn, not a variant.
       const wanted = {
         ...this.wanted(texts, {seed: 0, folds: 0, height: this.shown.height}),
         ...(draft ? {detail: 0.5, size: 192} : {size: 480, final: true})
       };
       const head = await this.server.section(wanted);
       this.toMetres = head.drawing;
-      // Fruit of meshes alone has no drawing; its section is seen all the same, in millimetres.
+      // A fruit with only meshes has no drawing; its section is shown in millimetres.
       const bare = this.drawing.curves.length === 0 ? [1e-3, 0, 0, -1e-3, 0, 0] : null;
       for (const picture of head.pictures)
         this.panes[picture.view].takeSection(picture, head.drawing[picture.view] || bare);
@@ -241,10 +241,7 @@ export class Studio {
     }));
     this.redraw();
   }
-  /**
-   * The curve that a mistake is about: by its place in the drawing, else by its surface in the template, else by its
-   * name.
-   */
+  /** The curve of an error: by its place in the drawing, else by its surface in the template, else by its name. */
   curveOf({svg_line: line, svg_column: column, line: tomlLine, message}) {
     const {drawing} = this, drawn = line && drawing.curveAt(line, column);
     if (drawn) return drawn;
@@ -264,7 +261,7 @@ export class Studio {
     $('toml').setSelectionRange(at, at);
   }
 
-  // ---- Keeping. ----
+  // ---- Saving. ----
 
   async send() {
     const texts = this.texts;
@@ -299,7 +296,7 @@ export class Studio {
     this.version = theirs.version;
     this.unsent = false;
     this.bar('');
-    // What was here is one step of undo away.
+    // Undo returns to the previous texts.
     if (this.history.push({toml: theirs.toml, svg: theirs.svg})) {
       this.takeTexts();
       this.refresh();
@@ -328,7 +325,7 @@ export class Studio {
     } catch (error) { this.errorsOf(error); }
     await this.takeTheirs();
   }
-  /** Looks whether another window or another program has changed something. */
+  /** Checks whether another window or program has changed something. */
   async poll() {
     if (this.unsent) return;
     try {
@@ -362,7 +359,7 @@ export class Studio {
     }));
   }
 
-  // ---- Tools other than nodes. ----
+  // ---- Other tools. ----
 
   setTool(tool) {
     this.tool = tool;

@@ -1,5 +1,5 @@
-// An SVG file as its text: where each element and each of its attributes stands. What is edited is replaced in the
-// text, so that everything else stays as it is, letter for letter.
+// An SVG file as text with the positions of elements and attributes. Edits replace text, so that everything else stays
+// the same, letter by letter.
 
 const entities = {
   amp: '&',
@@ -89,7 +89,7 @@ export function elementsOf(text) {
 }
 export const attributeOf = (element, name) => element.attributes[name]?.value;
 
-/** Replacements {from, to, text}, none of them over another. */
+/** Applies replacements {from, to, text} that do not overlap. */
 export function edited(text, edits) {
   let result = '', at = 0;
   for (const {from, to, text: by} of [...edits].sort((a, b) => a.from - b.from)) {
@@ -99,7 +99,8 @@ export function edited(text, edits) {
   return result + text.slice(at);
 }
 /**
- * The offset of a line and a column, both from 1; columns are bytes of UTF-8 in messages, letters here: near enough.
+ * The offset of a line and a column, both from 1. Columns are bytes of UTF-8 in messages and letters here, which is
+ * close enough.
  */
 export function offsetOf(text, line, column) {
   let at = 0;

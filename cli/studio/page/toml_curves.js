@@ -1,13 +1,13 @@
-// A template's surfaces as far as the studio edits their curves in place: each with where it stands in the text. The
-// program's own reader judges it; this only finds what can be taken hold of.
+// The surfaces of a template whose curves the studio edits in place, with their positions in the text. The program's
+// own reader checks the text; this one only finds what can be edited.
 import {entryOf, lineAfter, tomlTree} from './toml_tree.js';
 
-/** Where a string of the text says its words. */
+/** The positions of a string's contents. */
 const wordsIn = (value) => (value?.kind === 'string' ? {text: value.text, ...value.inside} : null);
 
 /**
- * {name, type, node, from, to, vertical: {text, from, to}, horizontal: [...], blur}: `to` is behind the last line of
- * the surface.
+ * {name, type, node, from, to, vertical: {text, from, to}, horizontal: [...], blur}: `to` is after the last line of the
+ * surface.
  */
 export function surfacesIn(toml, tree = tomlTree(toml)) {
   const list = entryOf(tree, 'surface');
@@ -25,7 +25,7 @@ export function surfacesIn(toml, tree = tomlTree(toml)) {
     };
   });
 }
-/** Where the text of a table ends, with those below it. */
+/** The end of a table's text, including the tables below it. */
 function endOf({end, to, entries}) {
   const below = [...entries.values()].flatMap(
     ({value}) =>
@@ -34,7 +34,7 @@ function endOf({end, to, entries}) {
                                  : [value.to]));
   return Math.max(end || to, ...below);
 }
-/** The length of a blur; of one that changes along its curve, that in the middle, where its circle is drawn. */
+/** The length of a blur; if it changes along its curve, its value in the middle, where its circle is drawn. */
 function blurIn(value) {
   if (value?.kind === 'table') return blurIn(entryOf(value, 'along'));
   if (value?.kind !== 'array') return wordsIn(value);

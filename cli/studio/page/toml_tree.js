@@ -1,6 +1,6 @@
-// A template's TOML as a tree whose every value knows where it stands in the text, so that an edit replaces that and
-// nothing else. The program's own reader judges the text; this one only finds, and goes on at the next line where it
-// does not understand.
+// A template's TOML as a tree of values with their positions in the text, so that an edit replaces only a value. The
+// program's own reader checks the text; this one only finds values, and continues at the next line after something that
+// it does not understand.
 
 /**
  * A value: {kind: 'string' | 'plain' | 'array' | 'table', from, to}. Strings have their `text` and where it stands,
@@ -56,7 +56,7 @@ class TomlReader {
     list.items.push(this.table('list', written));
     return list.items[list.items.length - 1];
   }
-  /** The table of that name within another; of a list, its last one. */
+  /** The table with this name within another; of a list, its last one. */
   inside(table, key, from) {
     const known = table.entries.get(key)?.value;
     if (known?.kind === 'table') return known;
@@ -70,7 +70,7 @@ class TomlReader {
     return value;
   }
 
-  /** key = value, on a line or within braces; dotted keys make tables. */
+  /** Reads key = value, on a line or within braces; dotted keys make tables. */
   entry(table) {
     const from = this.at, path = this.keys('=');
     ++this.at;
@@ -92,7 +92,7 @@ class TomlReader {
   blank() {
     while (/[ \t]/.test(this.text[this.at] || '')) ++this.at;
   }
-  /** Blanks, line breaks and comments. */
+  /** Skips blanks, line breaks and comments. */
   skip() {
     for (;;) {
       while (/\s/.test(this.text[this.at] || '')) ++this.at;
@@ -170,13 +170,13 @@ export const entryOf = (table, ...path) =>
 
 // ---- Edits, for edited(): {from, to, text}. ----
 
-/** Behind the line on which a place is. */
+/** The offset after the line of a place. */
 export function lineAfter(toml, at) {
   const end = toml.indexOf('\n', at);
   return end < 0 ? toml.length : end + 1;
 }
 
-/** A key of a table set to a value as TOML has it: in its place if it is there, else behind the table's other keys. */
+/** Sets a key of a table to a TOML value: in place if it exists, else after the table's other keys. */
 export function withEntry(toml, table, key, text) {
   const known = table.entries.get(key)?.value;
   if (known) return {from: known.from, to: known.to, text};
@@ -192,13 +192,13 @@ export function withEntry(toml, table, key, text) {
   return {from: at, to: at, text: `${toml[at - 1] === '\n' ? '' : '\n'}${name} = ${text}\n`};
 }
 
-/** Without a key: its line, or its place between the commas. */
+/** Removes a key: its line, or its place between the commas. */
 export function withoutEntry(toml, table, key) {
   const {from, value} = table.entries.get(key);
   if (table.form !== 'inline' && table.host?.form !== 'inline') return {from, to: lineAfter(toml, value.to), text: ''};
   return withoutOne(toml, from, value.to);
 }
-/** Without what stands between commas, and without the comma that is then one too many. */
+/** Removes an item between commas, and one comma. */
 export function withoutOne(toml, from, to) {
   let next = to;
   while (/\s/.test(toml[next])) ++next;

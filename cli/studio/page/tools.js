@@ -73,12 +73,12 @@ export function finishPen(studio) {
     studio.redraw();
     return;
   }
-  // Two clicks of a double click are one node.
+  // The two clicks of a double click add one node.
   const nodes = pen.nodes.filter((node, i) => i === 0 || !near(node.p, pen.nodes[i - 1].p, 3 / pen.pane.scale));
   askName(studio, pen.pane.view, (answer) => addCurve(studio, pen.pane.view, {nodes, closed: pen.closed}, answer));
 }
 
-/** What a new curve is: its name, and whether a surface begins with it. */
+/** The purpose of a new curve: its name, and whether it starts a surface. */
 function askName(studio, view, then) {
   const dialog = document.createElement('dialog'), form = document.createElement('form');
   const parts = partsIn(studio.texts.toml);
@@ -137,7 +137,7 @@ function addCurve(studio, view, part, {name, surface, inside}) {
   studio.commit(texts, `${name} added`);
 }
 
-/** Behind the last surface: what comes later is drawn inside. */
+/** After the last surface: later surfaces are inside earlier ones. */
 function withSurface(toml, {label, surface, inside, color}) {
   const last = surfacesIn(toml).at(-1), at = last ? last.to : toml.length;
   const horizontal = surface === 'in-fold' ? `horizontal = "#${label}"\n` : '';

@@ -1,9 +1,11 @@
-// Outlines traced from a picture: what is like the colour that was clicked, its rim, and a curve of few nodes along it.
+// Traces outlines in a picture: the area with a colour like the clicked one, its rim, and a curve of few nodes along
+// it.
 import {Bezier, nodeAt} from './bezier.js';
 import {A} from './svg_text.js';
 
 /**
- * A part on the page around what has this colour there; of an open curve of the side view, the half right of the axis.
+ * The outline on the page around the area of this colour; for an open curve of the side view, its half right of the
+ * axis.
  */
 export function traced(studio, view, place, closed) {
   for (const picture of studio.drawing.images.filter((image) => image.view === view).reverse()) {
@@ -24,7 +26,7 @@ export function traced(studio, view, place, closed) {
   return null;
 }
 
-/** By how much the way turns at a node, radians: sharp ones stay corners, for a smooth curve would swing out there. */
+/** The turning angle at a node, radians: sharp ones stay corners, because a smooth curve would swing out there. */
 function turnAt({nodes, closed}, i) {
   const a = nodes[closed ? (i + nodes.length - 1) % nodes.length : i - 1];
   const b = nodes[closed ? (i + 1) % nodes.length : i + 1], {p} = nodes[i];
@@ -34,7 +36,8 @@ function turnAt({nodes, closed}, i) {
 }
 
 /**
- * 1 where the picture is like the place clicked and joined to it. Likeness is Euclidean in sRGB, a fifth of its range.
+ * 1 where the picture is similar to the clicked place and connected to it. Similar is a Euclidean distance in sRGB of
+ * up to a fifth of its range.
  */
 function filled({data, width, height}, x, y, reach = 52) {
   const mask = new Uint8Array(width * height), stack = [y * width + x], at = 4 * (y * width + x);
@@ -55,9 +58,9 @@ function filled({data, width, height}, x, y, reach = 52) {
   return mask;
 }
 
-/** The outer rim of what is filled, once around: Moore's neighbours, from the leftmost filled pixel of the row. */
+/** The outer rim of the filled area, once around, by Moore's neighbours, from the leftmost filled pixel of the row. */
 function rimOf(mask, width, height) {
-  // Holes do not count: the rim begins at the outermost pixel of all.
+  // The rim starts at the outermost pixel, so holes are ignored.
   const start = mask.indexOf(1);
   const inside = (px, py) => px >= 0 && py >= 0 && px < width && py < height && mask[py * width + px] === 1;
   const ways = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]], rim = [];
@@ -80,7 +83,7 @@ function rimOf(mask, width, height) {
   return rim;
 }
 
-/** Douglas and Peucker's, on a loop: no place further off than a share of the outline's size. */
+/** Douglas and Peucker's algorithm on a loop: no place is farther off than a share of the outline's size. */
 function simplified(points, share) {
   const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k])));
   const high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));
@@ -112,7 +115,7 @@ function simplified(points, share) {
   return [...kept].sort((a, b) => a - b).map((i) => points[i]);
 }
 
-/** From the bottom of the axis to its top; both ends are laid on it. */
+/** The curve from the bottom of the axis to its top; both ends are put onto the axis. */
 function rightHalf(outline, axis) {
   if (!axis) return null;
   const [bottom, top] = axis, way = [top[0] - bottom[0], top[1] - bottom[1]], length = Math.hypot(...way) || 1;
@@ -136,7 +139,7 @@ function rightHalf(outline, axis) {
     }
     sides.push(points);
   }
-  // The page's right is where most of one side lies.
+  // Take the side that is mostly on the right of the page.
   const right = (points) => points.reduce((sum, p) => sum + p[0] - onAxis(along(p))[0], 0);
   const chosen = right(sides[0]) > right(sides[1]) ? sides[0] : sides[1];
   return {

@@ -1,4 +1,4 @@
-// The studio's worker: unpacks one asset after another and lays it out for the card.
+// The studio's worker: decompresses one asset after another and lays it out for the card.
 import {laidOut} from '../../../render/page/laid_out.js';
 import * as Asset from '../../../render/page/read_asset.js';
 import * as Skin from '../../../render/page/skin.js';

@@ -1,4 +1,4 @@
-// The strip of variants: sections of the first seeds, small.
+// The strip of variants: small sections of the first seeds.
 import {$} from '../../../render/page/messages.js';
 
 export async function showVariants(studio) {
@@ -19,7 +19,7 @@ export async function showVariants(studio) {
     }
   markSeed(studio);
   for (let seed = 0; seed < 7; ++seed) {
-    // Behind everything that hands wait for.
+    // After everything that the user waits for.
     while (studio.sections.busy || studio.assets.busy) await new Promise((done) => setTimeout(done, 60));
     if (round !== studio.round || studio.dragging) return;
     try {
@@ -29,7 +29,7 @@ export async function showVariants(studio) {
       Object.assign(canvas, {width: image.width, height: image.height});
       canvas.getContext('2d', {willReadFrequently: true}).putImageData(image, 0, 0);
     } catch {
-      // A drawing may be right and a variant of it not: it has no picture.
+      // A drawing may be valid and a variant of it not: then it has no picture.
       strip.children[seed].firstChild.width = 64;
     }
   }

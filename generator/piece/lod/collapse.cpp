@@ -5,7 +5,7 @@
 namespace pomona {
 namespace {
 
-/// The ends of an edge may share no neighbours but those of its triangles, and the last four triangles stay.
+/// The ends of an edge may share only the neighbours in its triangles, and the last four triangles are kept.
 bool keeps_topology(const LevelMesh& level, const Ring& ring) {
   const std::uint32_t to = ring.front().fan;
   const auto is_in_ring = [&](std::uint32_t fan) {
@@ -31,7 +31,7 @@ CollapseTarget target_at(const LevelSource& source, const LevelMesh& level, cons
     target.vertex[k] = fan == collapse.fan ? sector.to : level.vertex[target.face][k];
     target.chain[k] = level.chains.of_edge[3 * target.face + k];
   }
-  // Sides that become one with those of faces that vanish.
+  // Sides that are merged with those of vanishing faces.
   if (i == 1 && ring[0].face != none)
     target.chain[ring[1].half_edge % 3] = level.chains.of_edge[FanMesh::next(ring[0].half_edge)];
   if (i + 2 == ring.size() && ring.back().face != none)
@@ -39,8 +39,7 @@ CollapseTarget target_at(const LevelSource& source, const LevelMesh& level, cons
   return target;
 }
 
-/// From one spoke to before another. False if all faces of it would vanish, or if the vertex would turn to another
-/// part.
+/// Adds the faces between two spokes. False if all of them would vanish, or if the vertex would change its part.
 bool add_sector(const LevelSource& source, const LevelMesh& level, std::size_t first, std::size_t last,
                 Collapse& collapse) {
   const Ring& ring = collapse.ring;
@@ -112,8 +111,8 @@ void part_chains(BorderChains& chains, const Collapse& collapse, std::uint32_t l
 
 namespace {
 
-/// Joins what lies beyond the other two sides of a face. `along` is that which leads to or from the vertex that stays:
-/// if it is a border, so is what they become.
+/// Connects the faces beyond the other two sides of a face. `along` is the side that leads to or from the vertex that
+/// is kept: if it is a border, the merged side is one, too.
 void remove_face(LevelMesh& level, std::uint32_t along, std::uint32_t vanishing) {
   FanMesh& mesh = level.mesh;
   const std::uint32_t a = mesh.twin[along], b = mesh.twin[vanishing];

@@ -46,19 +46,19 @@ struct Collapse {
   std::uint32_t to() const { return ring.front().fan; }
 };
 
-/// What would happen if a vertex moved to a neighbour. Nothing if the mesh would no longer be one, or the vertex would
+/// The collapse that moves a vertex to a neighbour. Nothing if the mesh would not stay a manifold, or the vertex would
 /// leave its border or part.
 std::optional<Collapse> collapse_of(const LevelSource& source, const LevelMesh& level, std::uint32_t fan,
                                     std::uint32_t to);
 
-/// Lets the chain that is kept stand for the merged one, too, and for the vertex between them. The result is the last
-/// fan of the kept chain before.
+/// Appends the merged chain and the vertex between them to the kept chain. Returns the last fan that the kept chain had
+/// before.
 std::uint32_t merge_chains(BorderChains& chains, const Collapse& collapse);
 
-/// Takes that back.
+/// Undoes merge_chains().
 void part_chains(BorderChains& chains, const Collapse& collapse, std::uint32_t last_before);
 
-/// Does it; its chains are merged already.
+/// Performs the collapse; its chains must be merged already.
 void apply(LevelMesh& level, const Collapse& collapse);
 
 }  // namespace pomona

@@ -7,10 +7,11 @@
 namespace pomona {
 namespace {
 
-/// What long edges cost beside squared distances: enough to prefer short ones where all else is equal, as on a plane.
+/// The cost of an edge's length, added to squared distances: enough to prefer short edges where all else is equal, as
+/// on a plane.
 constexpr double cost_of_length = 1e-3;
 
-/// Duplicates of a vertex share what they stand for, except on borders.
+/// Duplicates of a vertex share a colour quadric, except on borders.
 std::vector<std::uint32_t> shared_tints(const LevelSource& source, const LevelMesh& level) {
   std::vector<std::uint8_t> at_border(source.position.size(), 0);
   for (std::uint32_t h = 0; h < level.mesh.twin.size(); ++h) {

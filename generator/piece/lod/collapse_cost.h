@@ -1,4 +1,4 @@
-// What a collapse costs: quadrics of place [Garland & Heckbert 1997] and of colour [Hoppe 1999].
+// The cost of a collapse: quadrics of place [Garland & Heckbert 1997] and of colour [Hoppe 1999].
 #pragma once
 
 #include <array>
@@ -44,11 +44,11 @@ struct CollapseCosts {
 
 CollapseCosts collapse_costs(const LevelSource& source, const LevelMesh& level, double metres_per_color);
 
-/// Of a vertex that moves along a spoke of its ring. `on_border`: along its border.
+/// The cost of moving a vertex along a spoke of its ring. `on_border`: the spoke is part of its border.
 double cost_of(const CollapseCosts& costs, const LevelSource& source, const LevelMesh& level, std::uint32_t fan,
                const Spoke& spoke, bool on_border);
 
-/// What stays takes over what the vertex that goes stood for: its fan, or one of its vertices.
+/// Adds the quadrics of a removed fan, or of one of its vertices, to those of the kept one.
 void take_over_shape(CollapseCosts& costs, const LevelSource& source, std::uint32_t from, std::uint32_t to);
 void take_over_tint(CollapseCosts& costs, std::uint32_t from, std::uint32_t to);
 

@@ -20,8 +20,8 @@ constexpr double narrowest = 0.03;
 /// A 64th of its length is a small part of a triangle.
 constexpr int max_quarterings_of_target = 6;
 
-/// Vertices that are gone must lie within so much of the bound: the rest is for what lies between them, which
-/// level_cover.h looks at.
+/// Removed vertices must lie within this share of the bound. The rest is for places between them, which level_cover.h
+/// checks.
 constexpr double share_for_vertices = 0.85;
 
 double squared_roundness(const TriangleCorners& t) {
@@ -52,7 +52,7 @@ bool keeps_its_side(const LevelSource& source, const LevelMesh& level, const Col
   return roundness > narrowest * narrowest || roundness >= squared_roundness(now);
 }
 
-/// All that lay along the border's two edges must be near the one that they become.
+/// Everything along the border's two edges must be near the edge that they become.
 bool keeps_the_border(const LevelSource& source, const BorderChains& chains, double bound, const Collapse& collapse) {
   const glm::dvec3 &from = source.position[collapse.border->end], &to = source.position[collapse.to()];
   for (std::uint32_t fan = chains.first[collapse.border->kept]; fan != none; fan = chains.next[fan])
@@ -131,7 +131,7 @@ bool lies_near(const LevelSource& source, const LevelMesh& level, double bound, 
                     max_quarterings_of_target);
 }
 
-/// What is cheap to ask comes first.
+/// The cheapest checks come first.
 bool keeps_to_bounds(const LevelSource& source, const LevelMesh& level, const LevelBounds& bounds, PatchCover& cover,
                      Collapse& collapse) {
   if (collapse.border && !keeps_the_border(source, level.chains, bounds.distance, collapse)) return false;

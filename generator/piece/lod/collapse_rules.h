@@ -1,4 +1,4 @@
-// Which collapses are allowed: limits for surface, borders and colours, and what is forbidden.
+// Which collapses are allowed: limits for surface, borders and colours, and forbidden changes.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace pomona {
 
-/// Whether a collapse keeps to the bounds. If so, it has merged its chains, and knows what its targets hold; else all
-/// is as it was.
+/// Whether a collapse keeps to the bounds. If so, its chains have been merged and its targets know the vertices that
+/// they hold; else nothing has changed.
 bool allows(const LevelSource& source, LevelMesh& level, const LevelBounds& bounds, PatchCover& cover,
             Collapse& collapse);
 

@@ -21,7 +21,7 @@ struct CheapestCollapse {
   double cost = 0;
   std::uint32_t fan = 0, to = 0;
 
-  /// The dearest first, as heaps want it; no two are equal.
+  /// The greatest cost first, as heaps require; no two are equal.
   bool operator<(const CheapestCollapse& b) const { return cost != b.cost ? cost > b.cost : fan > b.fan; }
 };
 
@@ -50,7 +50,7 @@ class Decimation {
   const std::vector<std::uint8_t>& changed() const { return changed_; }
 
   void reach(const LevelTarget& target) {
-    // With looser bounds what was refused is asked anew.
+    // With looser bounds, refused collapses are tried again.
     changed_.assign(source_.patch.size(), 0);
     for (std::uint32_t fan = 0; fan < fans_.size(); ++fan) {
       if (level_.mesh.has(fan)) renew(fan);
@@ -88,15 +88,16 @@ class Decimation {
     for (const Spoke& spoke : collapse.ring) renew(spoke.fan);
   }
 
-  /// After a change at the vertex. Costs grow as a rule: one that is queued may wait until it is its turn.
+  /// Called after a change at the vertex. Costs usually grow, so a queued collapse is evaluated again only when its
+  /// turn comes.
   void renew(std::uint32_t fan) {
     fans_[fan].refused.clear();
     fans_[fan].is_stale = true;
     if (!fans_[fan].is_queued) enqueue(fan);
   }
 
-  /// The cheapest collapse that has not been refused. On a border vertices move along it; where borders meet or end,
-  /// they stay.
+  /// Enqueues the cheapest collapse that has not been refused. Vertices on a border move along it; where borders meet
+  /// or end, vertices are kept.
   void enqueue(std::uint32_t fan) {
     QueuedFan& queued = fans_[fan];
     queued.is_stale = false;
@@ -148,7 +149,7 @@ std::vector<std::vector<LevelFace>> decimated(const VertexFans& fans, const Soli
       if (!uncovered.empty()) break;
       faces.push_back(faces_of(decimation.level(), fans));
     }
-    // Where something of the solid is too far off, its corners stay, and all begins anew.
+    // Corners of faces that are too far off are locked, and decimation starts again.
     for (const std::uint32_t face : uncovered)
       for (const std::uint32_t fan : source.mesh.corner[face]) locked[fan] = 1;
   } while (!uncovered.empty());

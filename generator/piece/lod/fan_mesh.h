@@ -1,4 +1,4 @@
-// Triangles with their neighbours: the mesh of a level, of which vertices are taken away.
+// Triangles with their neighbours: the mesh of a level, from which vertices are removed.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ constexpr std::uint32_t none = 0xffffffffu;
 struct FanMesh {
   std::vector<std::array<std::uint32_t, 3>> corner;  ///< per face: fans
   std::vector<std::uint8_t> is_there;                ///< per face
-  std::vector<std::uint32_t> twin;    ///< per half-edge: that which runs back; none where the solid is open
+  std::vector<std::uint32_t> twin;                   ///< per half-edge: the opposite one; none where the solid is open
   std::vector<std::uint32_t> leave;   ///< per fan: a half-edge that starts there; none where the fan is gone
-  std::vector<std::uint8_t> is_open;  ///< per fan: 1 where its faces do not go all the way around, now and later
+  std::vector<std::uint8_t> is_open;  ///< per fan: 1 where its faces do not go all the way around; this never changes
 
   std::uint32_t from(std::uint32_t h) const { return corner[h / 3][h % 3]; }
   std::uint32_t to(std::uint32_t h) const { return from(next(h)); }

@@ -19,7 +19,7 @@ double squared_distance(const glm::dvec3& p, const TriangleCorners& c) {
   return squared(nearest_on_triangle(p, c) - p);
 }
 
-/// The triangles of its patch that hold its corners; where all corners are there still, those around them.
+/// The triangles of its patch that hold its corners; for corners that have not been removed, the triangles around them.
 std::vector<std::uint32_t> holders_of(const LevelSource& source, const LevelMesh& level, std::uint32_t face) {
   std::vector<std::uint32_t> holders;
   const auto add = [&](std::uint32_t holder) {
@@ -39,7 +39,7 @@ bool has_or_holds(const LevelMesh& level, std::uint32_t holder, std::uint32_t fa
   return corner[0] == fan || corner[1] == fan || corner[2] == fan;
 }
 
-/// Whether one of the triangles is near all corners. What holds a corner is near it.
+/// A triangle that is near all corners. A triangle that holds a corner is near it.
 std::uint32_t near_whole(const LevelSource& source, const LevelMesh& level, std::uint32_t face, double bound,
                          std::span<const std::uint32_t> holders) {
   const auto& fan = source.mesh.corner[face];
@@ -68,7 +68,7 @@ bool is_covered_by(const LevelSource& source, const LevelMesh& level, std::uint3
   return is_covered(c, near, bound, max_quarterings_of_face);
 }
 
-/// First by what holds its corners, then by what is around that, too, and if need be by all of its patch.
+/// Tries the triangles that hold its corners, then those around them, too, and if needed all of its patch.
 bool is_near_many(const LevelSource& source, const LevelMesh& level, std::uint32_t face, double bound,
                   const std::vector<std::uint32_t>& holders) {
   if (is_covered_by(source, level, face, bound, holders)) return true;

@@ -12,13 +12,14 @@
 namespace pomona {
 namespace {
 
-/// Normals further apart than 30 degrees make a border: what is shaded as an edge stays one.
+/// Normals more than 30 degrees apart make a border, so that edges stay edges in shading.
 constexpr float crease_cosine = 0.866f;
 
 /// Two colours at one place make a border if a channel differs by more than this, of the square root of light.
 constexpr double min_jump = 0.012;
 
-/// Level and solid are compared cut face by cut face and surface by surface: what lies near another one is off.
+/// Level and solid are compared cut face by cut face and surface by surface; a place near another patch does not count
+/// as near.
 std::vector<std::uint32_t> patches_of(const SolidMesh& solid, const std::vector<std::uint32_t>& triangles) {
   std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> number;
   std::vector<std::uint32_t> patch;

@@ -1,4 +1,5 @@
-// What is decimated: the solid as it was, the level as it is, and what of the one lies on the other.
+// The data of decimation: the original solid, the current level, and which vertices of the solid lie on which faces of
+// the level.
 #pragma once
 
 #include <array>
@@ -52,7 +53,7 @@ struct BorderChains {
   std::vector<std::uint32_t> of_fan;       ///< per fan that lies between the ends of a chain; else none
 };
 
-/// Vertices that are gone, on the faces that stand for them. One on a border is there twice, on either side.
+/// Removed vertices, on the faces that stand for them. A vertex on a border is listed twice, once for each side.
 struct HeldVertices {
   std::vector<std::uint32_t> first;   ///< per face: a list through `next`
   std::vector<std::uint32_t> next;    ///< per fan and side, 2 fan + side
@@ -76,17 +77,17 @@ struct LevelMesh {
 
 LevelSource level_source(const VertexFans& fans, const SolidMesh& solid);
 
-/// A level that is the solid still.
+/// A level equal to the solid.
 LevelMesh level_mesh(const LevelSource& source);
 
 std::vector<LevelFace> faces_of(const LevelMesh& level, const VertexFans& fans);
 
-/// Across a triangle, as long as twice its area.
+/// The normal of a triangle, of twice its area.
 inline glm::dvec3 area_vector(const TriangleCorners& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
 
 inline double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
-/// Of the segment from a to b.
+/// The squared distance of p from the segment from a to b.
 double squared_distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b);
 
 /// The square root of light is evenly spaced to the eye, nearly, and the same on all processors.

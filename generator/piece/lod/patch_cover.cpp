@@ -8,7 +8,7 @@
 namespace pomona {
 namespace {
 
-/// Of the bound: far above what rounding makes of metres, far below what anybody sees.
+/// A share of the bound: far above rounding errors, far below visible differences.
 constexpr double rounding = 1e-9;
 
 }  // namespace
@@ -41,7 +41,7 @@ PatchCover::Seen PatchCover::seen(const Frame& frame, std::uint32_t fan) const {
       glm::dot(frame.up, p - c[0])};
 }
 
-/// The greatest height of what of a triangle lies within the query's [Sutherland & Hodgman 1974].
+/// The max height of the part of a triangle that lies within the query's triangle [Sutherland & Hodgman 1974].
 double PatchCover::height_within(const Frame& frame, const std::array<Seen, 3>& corner) {
   std::array<Seen, 9> polygon{corner[0], corner[1], corner[2]}, rest;
   std::size_t count = 3;
@@ -65,7 +65,7 @@ double PatchCover::height_within(const Frame& frame, const std::array<Seen, 3>& 
 
 /// 1 or -1, as it faces up or down, if the triangle lies above or below the place where sheets are counted; else 0.
 int PatchCover::sheets_at_center(const Frame& frame, const std::array<Seen, 3>& corner) {
-  // How far inside of two sides serves as a place in the plane.
+  // The distances from two sides are coordinates in the plane.
   std::array<std::array<double, 2>, 3> at;
   for (std::size_t i = 0; i < 3; ++i)
     at[i] = {corner[i].inside[0] - frame.center.inside[0], corner[i].inside[1] - frame.center.inside[1]};
@@ -86,8 +86,8 @@ bool PatchCover::is_out_of_the_way_of_chains(const Frame& frame) const {
   return true;
 }
 
-/// How many sheets it adds at the place where they are counted. Nothing where it is too high, or ends where it must
-/// not.
+/// The number of sheets that the face adds at the place where they are counted. Nothing if it is too high, or ends
+/// where it must not.
 std::optional<int> PatchCover::enter(const Frame& frame, std::uint32_t face, const std::array<Seen, 3>& corner) {
   visit_[face] = walk_;
   int sheets = 0;
@@ -120,8 +120,8 @@ bool PatchCover::may_end_at(const Frame& frame, std::uint32_t a, std::uint32_t b
                      [&](std::uint32_t c) { return c != none && (c == of_a || c == of_b); });
 }
 
-/// Sheets are counted in the middle, or far from the border where one side is on it. The numbers are not round: grids
-/// have the round ones, too.
+/// Sheets are counted in the middle, or, if one side lies on a border, far from it. The weights are not round, because
+/// vertices of grids lie at round ones.
 std::array<double, 3> PatchCover::weights_of_center(const CoverQuery& query) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (query.chain[i] == none || query.chain[(i + 1) % 3] != none || query.chain[(i + 2) % 3] != none) continue;
@@ -146,7 +146,7 @@ bool PatchCover::covers(const CoverQuery& query, const BorderChains& chains) {
     frame.center.inside[i] = weight[(i + 2) % 3] * glm::dot(frame.inward[i], c[(i + 2) % 3] - c[i]);
   if (!is_out_of_the_way_of_chains(frame)) return false;
 
-  // From the faces at a corner on: those that face up, so that thin bodies are not seen from both sides.
+  // Start at the faces around a corner that face up, so that thin bodies are not counted from both sides.
   ++walk_;
   steps_.clear();
   int sheets = 0;

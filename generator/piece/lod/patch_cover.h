@@ -1,4 +1,4 @@
-// From a level to the solid: whether every point of a triangle lies near the solid, which is proved, not sampled.
+// From a level to the solid: proves, without sampling, that every point of a triangle lies near the solid.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// A triangle of a level, and what of the solid may be near it.
+/// A triangle of a level, and where to find the parts of the solid near it.
 struct CoverQuery {
   TriangleCorners corner;
   std::uint32_t patch = 0;
@@ -20,26 +20,25 @@ struct CoverQuery {
 };
 
 /// The triangles of the solid above and below one of a level are found by walking from neighbour to neighbour.
-///
-/// Of those, as many as face up less as many as face down lie above every point of the triangle: the number changes
-/// only where the walk ends inside the triangle, and it ends only at a chain that a side of the triangle stands for. So
-/// if at one point a triangle faces up, one does at every point, and no higher than the bound; or else the point lies
-/// between side and chain, and as near to the chain as the chain to the side.
+/// The number of those that face up, less those that face down, is the same at every point of the triangle: it changes
+/// only where the walk ends inside the triangle, and the walk ends only at a chain that a side of the triangle stands
+/// for. So if the number is positive at one point, a triangle faces up at every point, no higher than the bound. The
+/// other points lie between a side and its chain, and are as near to the chain as the chain is to the side.
 class PatchCover {
  public:
   explicit PatchCover(const LevelSource& source) : source_(source), visit_(source.patch.size(), 0) {}
 
   /// True if each point of the triangle is within the bound of its patch of the solid, on the same side. The chains of
-  /// its sides must be within the bound of these sides. False may also mean that this could not be found out so.
+  /// its sides must be within the bound of these sides. False may also mean that there was no proof.
   bool covers(const CoverQuery& query, const BorderChains& chains);
 
  private:
-  /// A point, seen from the triangle: how far inside of each side, and how high; metres.
+  /// A point relative to the triangle: its distance inwards from each side, and its height; metres.
   struct Seen {
     std::array<double, 3> inside{};
     double height = 0;
   };
-  /// An edge over which the walk goes on, from the face beyond it.
+  /// An edge that the walk crosses, and the face beyond it.
   struct Step {
     std::uint32_t half_edge = 0;
     Seen from, to;
@@ -55,7 +54,7 @@ class PatchCover {
   static int sheets_at_center(const Frame& frame, const std::array<Seen, 3>& corner);
 
   const LevelSource& source_;
-  std::vector<std::uint32_t> visit_;  // per face: the number of the walk that saw it last
+  std::vector<std::uint32_t> visit_;  // per face: the number of the last walk that visited it
   std::uint32_t walk_ = 0;
   std::vector<Step> steps_;
   Ring ring_;

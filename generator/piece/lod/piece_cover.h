@@ -1,4 +1,4 @@
-// Whether every point of a triangle lies near some others: proved piece by piece.
+// Proves piece by piece that every point of a triangle lies near other triangles.
 #pragma once
 
 #include <span>
@@ -14,8 +14,8 @@ struct CoveringTriangle {
 };
 CoveringTriangle covering_triangle(const TriangleCorners& corner, double bound);
 
-/// Distance to a triangle is convex: a piece that has its corners near one is near it as a whole. Else it is quartered,
-/// so often at most. False may mean that this was not enough.
+/// Distance to a triangle is convex, so a piece with all corners near one triangle is near it as a whole. Other pieces
+/// are quartered, up to a given number of times. False may mean that this was not enough.
 bool is_covered(const TriangleCorners& piece, std::span<const CoveringTriangle> near, double bound, int quarterings);
 
 }  // namespace pomona

@@ -3,7 +3,7 @@
 
 namespace pomona {
 
-/// What stands for a full channel in a file whose largest channel is this one. Clamped lights go a little beyond 1.
+/// The value of a full channel in a file with this largest channel. Clamped lights may slightly exceed 1.
 inline double white_of_floats(double largest) { return largest > 2 ? 255 : 1; }
 
 }  // namespace pomona

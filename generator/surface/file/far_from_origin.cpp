@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-/// Between one float and the next.
+/// The distance between neighbouring floats.
 double step_at(double metres) { return metres * 0x1p-23; }
 
 /// "448 km", "31 mm": three digits.

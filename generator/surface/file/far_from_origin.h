@@ -1,4 +1,4 @@
-// Shapes so far from the origin that floats, which hold all surfaces, cannot hold them.
+// Shapes too far from the origin for floats, in which surfaces are stored.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace pomona {
 /// The largest coordinate in the box.
 double distance_of(const Box<double>& box);
 
-/// Whether rounding to floats would change the shape in this box by more than a five thousandth of its size: so it is
+/// True if rounding to floats would change the shape in this box by more than a five thousandth of its size, that is,
 /// at some 1700 times its size from the origin.
 bool is_too_far(const Box<double>& box);
 

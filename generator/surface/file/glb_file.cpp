@@ -22,8 +22,8 @@ namespace pomona {
 namespace {
 
 constexpr double farthest = 1e9;                            // in units of the file
-constexpr std::uint32_t max_json = std::uint32_t{4} << 20;  // bytes; what is large lies outside it
-constexpr std::ptrdiff_t max_values = 500'000;              // each takes tinygltf a fifth of a kilobyte
+constexpr std::uint32_t max_json = std::uint32_t{4} << 20;  // bytes; large data lie outside the JSON
+constexpr std::ptrdiff_t max_values = 500'000;              // tinygltf needs some 200 bytes for each
 constexpr int deepest_json = 64;
 constexpr std::size_t max_nodes = 65536;
 constexpr std::size_t max_instances = 65536;  // of one node
@@ -34,7 +34,7 @@ constexpr std::size_t max_vertices = 5'000'000;
   throw Error(ExitStatus::bad_data, {{{file, 0, 0, element}, message, hint}});
 }
 
-/// tinygltf follows nested values by recursion: none that is deep may reach it.
+/// The depth of nested values. tinygltf reads them recursively, so deep ones must not reach it.
 int depth_of(std::string_view json) {
   int depth = 0, deepest = 0;
   bool in_text = false;
@@ -54,7 +54,7 @@ int depth_of(std::string_view json) {
   return deepest;
 }
 
-/// Header and JSON within the limits, before any library sees them.
+/// Checks header and JSON against the limits, before any library reads them.
 void check_container(std::string_view bytes, const std::string& file) {
   constexpr std::size_t head = 20;
   if (bytes.size() < head || bytes.substr(0, 4) != "glTF") refuse(file, "byte 0", "this is no binary glTF");
@@ -76,7 +76,7 @@ constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 constexpr const char* quantization = "KHR_mesh_quantization";
 constexpr const char* visibility = "KHR_node_visibility";
 
-/// An extension that may be required: one that is read here, or that changes what is left alone.
+/// True for an extension that a file may require: one that is read here, or that affects only ignored data.
 bool is_understood(std::string_view extension) {
   if (extension == instancing || extension == quantization || extension == visibility) return true;
   constexpr std::array<std::string_view, 10> looks{
@@ -93,7 +93,7 @@ std::string hint_about(std::string_view extension) {
 
 using GlbJson = nlohmann::json;
 
-/// The items of a list in an object; none where there is no such list.
+/// The items of a list in an object; none without such a list.
 std::vector<GlbJson> list_at(const GlbJson& object, const char* key) {
   const auto found = object.is_object() ? object.find(key) : object.end();
   return found == object.end() || !found->is_array() ? std::vector<GlbJson>{} : found->get<std::vector<GlbJson>>();
@@ -104,17 +104,17 @@ bool has_extension(const GlbJson& object, const std::string& name) {
          object["extensions"].contains(name);
 }
 
-/// What a reader must know and this one does not is refused by its name, before anything else is made of the file.
+/// Refuses required extensions that are not supported, by name, before anything else is read.
 void check_extensions(std::string_view text, const std::string& file) {
   const GlbJson json = GlbJson::parse(text.begin(), text.end(), nullptr, false);
-  if (!json.is_object()) return;  // the reader says why
+  if (!json.is_object()) return;  // the reader tells the reason
   for (const GlbJson& required : list_at(json, "extensionsRequired")) {
     if (!required.is_string() || is_understood(required.get<std::string>())) continue;
     const auto name = required.get<std::string>().substr(0, 64);
     refuse(file, "extensionsRequired", "it requires \"" + name + "\", which is not read", hint_about(name));
   }
 
-  // Only the first buffer may lie in the file without an address.
+  // Only the first buffer may be in the file, without a URI.
   const std::vector<GlbJson> buffers = list_at(json, "buffers"), accessors = list_at(json, "accessors");
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     if (!buffers[i].is_object() || buffers[i].contains("uri")) continue;
@@ -126,7 +126,7 @@ void check_extensions(std::string_view text, const std::string& file) {
       refuse(file, "buffer " + std::to_string(i), "it has no bytes", "export it anew as binary glTF 2.0 (.glb)");
   }
 
-  // A compressed mesh may bring its values plainly, too.
+  // A compressed mesh may also have uncompressed values.
   const std::string draco = "KHR_draco_mesh_compression";
   for (const GlbJson& mesh : list_at(json, "meshes")) {
     for (const GlbJson& primitive : list_at(mesh, "primitives")) {
@@ -140,7 +140,7 @@ void check_extensions(std::string_view text, const std::string& file) {
   }
 }
 
-/// Without a chunk of no bytes, which the reader does not take.
+/// The file without an empty chunk, which the reader refuses.
 std::string without_empty_chunk(std::string_view bytes) {
   std::string whole(bytes);
   const std::size_t end = 20 + std::size_t{word_at(bytes, 12)};
@@ -155,7 +155,7 @@ bool leave_image(tinygltf::Image*, int, std::string*, std::string*, int, int, co
 }
 
 tinygltf::Model parse_model(std::string_view bytes, const std::string& file) {
-  // Nothing but these bytes is read: images are left alone, and no other file can be found.
+  // Read only these bytes: images are ignored, and no other file can be found.
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(leave_image, nullptr);
   reader.SetFsCallbacks(
@@ -163,7 +163,7 @@ tinygltf::Model parse_model(std::string_view bytes, const std::string& file) {
        [](std::vector<unsigned char>*, std::string*, const std::string&, void*) { return false; },
        [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }, nullptr});
 
-  // What the reader throws is an error like those it returns.
+  // Treat the reader's exceptions like the errors that it returns.
   tinygltf::Model model;
   std::string error, warning;
   bool is_good = false;
@@ -176,14 +176,14 @@ tinygltf::Model parse_model(std::string_view bytes, const std::string& file) {
   }
   if (is_good) return model;
 
-  // The reader's message may quote the file: only the first line is shown, and only what can be printed.
+  // The reader's message may quote the file: show only the first line, and only printable characters.
   std::string why = error.substr(0, std::min<std::size_t>(error.find('\n'), 200));
   for (char& c : why) c = c < ' ' || c > '~' ? '?' : c;
   refuse(file, "byte 20", "its JSON is no glTF that can be read" + (why.empty() ? "" : ": " + why),
          "export it anew as binary glTF 2.0 (.glb)");
 }
 
-/// The values of one accessor, checked against the bytes that are there.
+/// The values of one accessor, checked against the bytes of its buffer.
 struct Values {
   const unsigned char* data = nullptr;
   std::size_t count = 0, stride = 0;
@@ -223,7 +223,7 @@ class GlbReader {
   }
 
  private:
-  /// The nodes that are called so; those whose mesh data are, only where no node is.
+  /// The nodes with the wanted name; if there is none, the nodes whose mesh data have it.
   std::vector<Shown> wanted() {
     if (object_.empty()) return shown_;
     const bool by_node = std::any_of(shown_.begin(), shown_.end(), [](const Shown& s) { return s.is_wanted_by_node; });
@@ -239,7 +239,7 @@ class GlbReader {
     return wanted;
   }
 
-  /// The scene's nodes, or those that are nobody's child.
+  /// The scene's nodes, or all nodes without a parent.
   std::vector<int> roots() const {
     const int scene = model_.defaultScene >= 0 ? model_.defaultScene : 0;
     if (static_cast<std::size_t>(scene) < model_.scenes.size())
@@ -276,7 +276,7 @@ class GlbReader {
       if (names_.size() < 64) names_.push_back(node.name.empty() ? mesh.name : node.name);
       shown_.push_back({index, to_scene, called_so || is_wanted, mesh.name == object_});
     }
-    // A node without a mesh stands for what it holds.
+    // A wanted node without a mesh means all nodes below it.
     const bool all_below = is_wanted || (called_so && node.mesh < 0);
     for (const int child : node.children) visit(child, to_scene, depth + 1, all_below);
   }
@@ -288,7 +288,7 @@ class GlbReader {
     return visible.IsBool() && !visible.Get<bool>();
   }
 
-  /// A mesh at each of its node's instances; on a skin, where its joints put it.
+  /// Appends the mesh at each instance of its node; a skinned mesh as its joints place it.
   void append(const Shown& shown) {
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(shown.node)];
     const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
@@ -334,7 +334,7 @@ class GlbReader {
     return places;
   }
 
-  /// What each joint of a skin does to a point of the mesh.
+  /// The transform of each joint of a skin, for points of the mesh.
   std::vector<glm::dmat4> joints_of(int index) const {
     if (static_cast<std::size_t>(index) >= model_.skins.size()) refuse(file_, element_, "there is no such skin");
     const tinygltf::Skin& skin = model_.skins[static_cast<std::size_t>(index)];
@@ -369,7 +369,7 @@ class GlbReader {
     return result;
   }
 
-  /// The bytes of a view from an offset on, which hold `count` values of a type.
+  /// The `count` values of a type in a view, from an offset on.
   Values bytes_at(int view_index, std::size_t offset, std::size_t count, int type, int component_type,
                   const char* name) const {
     const auto fail = [&](const char* why) { refuse(file_, element_ + ", " + name, why); };
@@ -385,7 +385,7 @@ class GlbReader {
     const auto size = static_cast<std::size_t>(component) * static_cast<std::size_t>(components);
     const std::size_t stride = view.byteStride != 0 ? view.byteStride : size;
 
-    // All in the form "what is left is less": nothing can wrap.
+    // Compare with what is left, so that no sum can overflow.
     if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset) fail("the file ends early");
     if (stride < size || stride > 252 || offset > view.byteLength) fail("it lies outside its bytes");
     const std::size_t left = view.byteLength - offset;
@@ -408,7 +408,7 @@ class GlbReader {
     return values;
   }
 
-  /// The values of an accessor as numbers, sparse ones in their places.
+  /// The values of an accessor as numbers, including sparse ones.
   Table table_of(int index, const char* name) const {
     const tinygltf::Accessor& accessor = accessor_of(index, name);
     const auto fail = [&](const char* why) { refuse(file_, element_ + ", " + name, why); };
@@ -429,7 +429,7 @@ class GlbReader {
     }
     if (!is_sparse) return table;
 
-    // Some values stand elsewhere, by number.
+    // Sparse values replace others by index.
     const auto& sparse = accessor.sparse;
     const auto number = static_cast<std::size_t>(std::max(0, sparse.count));
     const Values at = bytes_at(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), number,
@@ -514,7 +514,7 @@ class GlbReader {
       refuse(file_, element_ + ", POSITION", "positions must be three floats", "export it without quantization");
     }
     if (values.count > max_vertices - mesh_.position.size()) {
-      // What is longer than its bytes is told as that.
+      // If the accessor is longer than its buffer, report that instead.
       if (!values.sparse.isSparse) values_of(accessor, "POSITION");
       refuse(file_, element_, "more than 5 000 000 vertices", "simplify the mesh");
     }
@@ -532,7 +532,7 @@ class GlbReader {
     return lists(model_.extensionsUsed) || lists(model_.extensionsRequired);
   }
 
-  /// Adds the targets that are on.
+  /// Adds the morph targets by their weights.
   void morph(std::vector<glm::dvec3>& position, const tinygltf::Primitive& primitive,
              const std::vector<double>& weights) const {
     for (std::size_t t = 0; t < std::min(weights.size(), primitive.targets.size()); ++t) {
@@ -546,7 +546,7 @@ class GlbReader {
     }
   }
 
-  /// Each point where its joints put it, by their weights.
+  /// The points as the joints place them, by their weights.
   std::vector<glm::dvec3> posed(const std::vector<glm::dvec3>& position, const tinygltf::Primitive& primitive,
                                 const std::vector<glm::dmat4>& joints) const {
     std::vector<glm::dvec3> sum(position.size(), glm::dvec3(0));
@@ -588,7 +588,7 @@ class GlbReader {
     }
   }
 
-  /// COLOR_0 is linear; alpha is left alone.
+  /// COLOR_0 is linear; alpha is ignored.
   void append_colors(const tinygltf::Primitive& primitive) {
     const std::size_t first = mesh_.color.size();
     mesh_.color.resize(mesh_.position.size(), Color(0.5f));
@@ -609,7 +609,7 @@ class GlbReader {
   }
 
   void append_triangles(const tinygltf::Primitive& primitive, std::size_t first, bool mirrored) {
-    // Without indices, each three vertices in turn are a triangle.
+    // Without indices, every three vertices are a triangle.
     const std::size_t vertices = mesh_.position.size() - first;
     std::optional<Values> indices;
     if (primitive.indices >= 0) indices = values_of(primitive.indices, "indices");
@@ -618,7 +618,7 @@ class GlbReader {
       refuse(file_, element_ + ", indices", "they must be whole numbers");
     }
 
-    // Too many triangles are refused before any is read.
+    // Refuse too many triangles before any is read.
     const std::size_t corners = indices ? indices->count : vertices;
     const bool apart = primitive.mode == TINYGLTF_MODE_TRIANGLES;
     const bool is_fan = primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
@@ -627,7 +627,8 @@ class GlbReader {
       refuse(file_, element_, "more than 2 000 000 triangles", "simplify the mesh");
     }
 
-    // A mirrored triangle would turn its back: two of its corners change places; so would each second one of a strip.
+    // Swap two corners of mirrored triangles, and of every second triangle of a strip, so that their fronts stay in
+    // front.
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t start = apart ? 3 * i : i;
       glm::uvec3 triangle(0);
@@ -649,12 +650,12 @@ class GlbReader {
 
   tinygltf::Model model_;
   std::string file_, object_;
-  std::string element_;  ///< what is read, for messages
+  std::string element_;  ///< for messages: the element that is read
   std::vector<std::string> names_;
   std::vector<std::optional<glm::dmat4>> to_scene_;  ///< for each node of the scene
   std::vector<Shown> shown_;
   std::size_t visits_ = 0;
-  std::size_t called_so_ = 0;  ///< nodes of the wanted name
+  std::size_t called_so_ = 0;  ///< number of nodes with the wanted name
   bool colored_ = false;
   PlainMesh mesh_;
 };

@@ -8,10 +8,9 @@
 
 namespace pomona {
 
-/// Triangles and COLOR_0 of the file's scene, where its nodes, their instances, skins and morph targets put them;
-/// materials, pictures and animations are left alone, and nothing outside the file is opened. An extension that the
-/// file requires and that is not read is refused by name. `object` is the name of a node, or of mesh data where no node
-/// has that name; empty = all.
+/// Triangles and COLOR_0 of the file's scene, placed by nodes, instances, skins and morph targets. Materials, pictures
+/// and animations are ignored, and nothing outside the file is opened. A required extension that is not supported is
+/// refused by name. `object` is the name of a node, or of mesh data if no node has that name; empty = all.
 /// \throws Error (bad_data) that names the mesh.
 PlainMesh parse_glb(std::string_view bytes, const std::string& file, const std::string& object);
 

@@ -21,7 +21,7 @@ constexpr double farthest = 1e9;            // in units of the file
 constexpr std::size_t max_vertices = 5e6;   // of the whole file
 constexpr std::size_t max_corners = 65536;  // of one face
 
-// What a name in the file may be to the object that is wanted; the first that occurs counts.
+// How a name in the file can match the wanted object; the first kind that occurs counts.
 enum Meaning : std::uint8_t { object_of_the_name = 1, group_of_the_name = 2, group_with_the_word = 4 };
 
 template <std::size_t N>
@@ -56,7 +56,7 @@ class ObjParser {
 
   bool is_break(std::size_t at) const { return at < text_.size() && (text_[at] == '\n' || text_[at] == '\r'); }
 
-  /// Behind the line that starts here: its end, and where the next one starts, after LF, CR or both.
+  /// The end of the line that starts here; behind_break() is the start of the next one, after LF, CR or both.
   std::size_t end_of_line(std::size_t at) const { return std::min(text_.find_first_of("\r\n", at), text_.size()); }
   std::size_t behind_break(std::size_t at) const {
     if (at >= text_.size()) return text_.size();
@@ -80,8 +80,8 @@ class ObjParser {
     return true;
   }
 
-  /// A backslash before the end joins a line to the next: but not in comments, and in names only where a blank stands
-  /// before it, because the names of files may end with one.
+  /// A backslash at the end joins a line to the next, except in comments; in names only after a blank, because file
+  /// names may end with a backslash.
   bool goes_on(std::size_t first, std::size_t start, std::size_t end) const {
     const std::string_view line = text_.substr(start, end - start);
     const std::size_t last = line.find_last_not_of(" \t\v\f");
@@ -95,7 +95,7 @@ class ObjParser {
     return has_numbers || last == 0 || line[last - 1] == ' ' || line[last - 1] == '\t';
   }
 
-  /// "1.#INF" is how some programs write numbers that are none.
+  /// False inside "1.#INF", with which some programs write values that are not numbers.
   bool is_comment(std::size_t at) const {
     const std::string_view after = text_.substr(at + 1, 4);
     return !after.starts_with("INF") && !after.starts_with("IND") && after != "QNAN" && after != "SNAN";
@@ -138,7 +138,7 @@ class ObjParser {
     }
   }
 
-  /// What has a shape that is not read is told; the rest of the format, and what it does not know, has none.
+  /// Notes elements with a shape that is not read. Other keywords, known or not, have no shape.
   void pass_over(std::string_view keyword) {
     static constexpr std::array<std::string_view, 7> curved{"curv", "surf", "bsp", "bzp", "cdc", "cdp", "res"};
     if (is_one_of(keyword, curved))
@@ -153,7 +153,7 @@ class ObjParser {
 
   // ---- Names ----
 
-  /// The rest of the line. Groups may have several names; an object ends the groups before it.
+  /// Reads the rest of the line as a name. Groups may have several names; an object ends the groups before it.
   void read_name(bool is_object) {
     const std::size_t start = std::min(text_.find_first_not_of(" \t", at_), line_end_);
     const auto words_of = [&] {
@@ -201,7 +201,7 @@ class ObjParser {
     for (int k = 0; k < 3; ++k) position[k] = number(word());
     mesh_.position.push_back(position);
 
-    // x y z r g b; a fourth number alone is a weight.
+    // x y z r g b; a single fourth number is a weight.
     std::array<double, 4> more{};
     int count = 0;
     for (std::string_view text = word(); !text.empty() && count < 4; text = word()) {
@@ -228,7 +228,8 @@ class ObjParser {
 
   // ---- Faces ----
 
-  /// "7", "7/1", "7//3" or "-2": vertices count from 1, or backwards from the newest; a face may stand before them.
+  /// "7", "7/1", "7//3" or "-2": vertices count from 1, or backwards from the newest; a face may come before its
+  /// vertices.
   std::uint32_t corner(std::string_view text) {
     const std::string_view index = text.substr(0, text.find('/'));
     std::int64_t value = 0;
@@ -263,7 +264,7 @@ class ObjParser {
     if (triangles_ > max_mesh_triangles) fail("more than 2 000 000 triangles", "simplify the mesh");
   }
 
-  /// The first face that names a vertex which never came.
+  /// Refuses the first face that names a missing vertex.
   void check_corners_to_come() const {
     for (const Awaited& awaited : furthest_) {
       if (awaited.vertex > static_cast<std::int64_t>(mesh_.position.size()))
@@ -272,7 +273,7 @@ class ObjParser {
   }
 
   void append_faces() {
-    // Objects first; groups only where no object has the name.
+    // Objects first; groups only if no object has the name.
     const auto wanted = static_cast<std::uint8_t>(meanings_ & (~meanings_ + 1));
     std::vector<glm::dvec3> places;
     for (const Face& face : faces_) {
@@ -292,7 +293,7 @@ class ObjParser {
 
   // ---- Mistakes ----
 
-  /// The place of a word in a line that may go on over several.
+  /// The place of a word in a line that may be joined from several.
   SourcePlace place_of(std::size_t line_start, std::size_t word_at, int line) const {
     for (std::size_t end = end_of_line(line_start); end < word_at; end = end_of_line(line_start)) {
       line_start = behind_break(end);
@@ -320,7 +321,7 @@ class ObjParser {
     std::uint8_t meanings = 0;
     int line = 0;
   };
-  /// A vertex that stood further on than any before it, and the word that named it.
+  /// The highest vertex number so far that was still to come, and the word that named it.
   struct Awaited {
     std::int64_t vertex = 0;
     std::size_t line_start = 0, word_at = 0;
@@ -330,12 +331,12 @@ class ObjParser {
 
   std::string_view text_;
   std::string file_, object_;
-  std::size_t line_start_ = 0, line_end_ = 0, next_ = 0;  ///< the line, and the one behind it
+  std::size_t line_start_ = 0, line_end_ = 0, next_ = 0;  ///< of the current line, and the start of the next
   std::size_t at_ = 0, word_at_ = 0;
   int line_number_ = 1, lines_of_line_ = 0;
-  std::uint8_t here_ = 0, meanings_ = 0;  ///< what the names so far mean: those in force, all of them
+  std::uint8_t here_ = 0, meanings_ = 0;  ///< meanings of the current names, and of all names so far
   std::vector<std::string> names_;
-  std::vector<glm::dvec3> channel_;  ///< sRGB as it stands; empty without any
+  std::vector<glm::dvec3> channel_;  ///< sRGB as in the file; empty without colours
   std::vector<std::uint32_t> corners_;
   std::vector<Face> faces_;
   std::vector<Awaited> furthest_;

@@ -16,7 +16,7 @@ bool any_hidden(const std::vector<std::uint8_t>& hidden) {
   return std::any_of(hidden.begin(), hidden.end(), [](std::uint8_t h) { return h != 0; });
 }
 
-/// Closed shells that lie in no larger one.
+/// For each closed shell, 1 if it lies in no larger one.
 std::vector<std::uint8_t> outermost(const DiffusionSurfaces& surfaces, const std::vector<Shell>& shells) {
   std::vector<std::size_t> closed;
   for (std::size_t s = 0; s < shells.size(); ++s)
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> outermost(const DiffusionSurfaces& surfaces, const std
 DiffusionSurfaces with_outer_skin(DiffusionSurfaces surfaces) {
   if (any_hidden(surfaces.front_hidden) || any_hidden(surfaces.back_hidden)) return surfaces;
 
-  // Take every triangle for boundary, front to air, and see which shells are outermost.
+  // Treat every triangle as boundary with its front to air, and find the outermost shells.
   DiffusionSurfaces all_boundary = surfaces;
   all_boundary.front_hidden.assign(surfaces.vertex_count(), 1);
   const Shells shells = find_shells(all_boundary);
@@ -44,7 +44,7 @@ DiffusionSurfaces with_outer_skin(DiffusionSurfaces surfaces) {
     return &measured[static_cast<std::size_t>(s)];
   };
 
-  // Give skins vertices of their own, then hide their outer sides.
+  // Duplicate vertices that skins share with others, then hide the skins' outer sides.
   std::vector<std::uint8_t> inner(surfaces.vertex_count(), 0);
   for (std::size_t i = 0; i < surfaces.triangle_count(); ++i) {
     for (int k = 0; k < 3 && !skin_of(i); ++k) inner[surfaces.triangle[i][k]] = 1;

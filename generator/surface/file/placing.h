@@ -1,4 +1,4 @@
-// Where the points of a file come to lie.
+// The placing of a file's points.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,10 +7,10 @@ namespace pomona {
 
 struct Placing {
   double unit = 1;    ///< metres of one unit of the file
-  bool z_up = false;  ///< the file's Z is up, its Y to the back
-  glm::dvec3 at{0};   ///< where the file's origin lies, metres
+  bool z_up = false;  ///< the file's Z points up, its Y to the back
+  glm::dvec3 at{0};   ///< place of the file's origin, metres
 
-  /// A file that is not moved keeps every bit, the sign of zeros too.
+  /// False if every bit, also the sign of zeros, must stay.
   bool moves() const { return z_up || unit != 1 || at != glm::dvec3(0); }
   glm::dvec3 operator()(const glm::dvec3& p) const { return (z_up ? glm::dvec3(p.x, p.z, -p.y) : p) * unit + at; }
 };

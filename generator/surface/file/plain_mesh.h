@@ -1,4 +1,4 @@
-// A mesh as most modelling tools write it: triangles, and one colour at most.
+// A mesh as most modelling tools write it: triangles, and at most one colour per vertex.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,12 @@ struct PlainMesh {
   std::vector<glm::dvec3> position;
   std::vector<Color> color;  ///< linear; one per vertex, or none
   std::vector<glm::uvec3> triangle;
-  std::vector<std::string> notes;  ///< what the file leaves open, and how it was taken
+  std::vector<std::string> notes;  ///< ambiguities of the file, and how they were read
 };
 
 constexpr std::size_t max_mesh_triangles = 2'000'000;
 
-/// "capsule, pyramids, fat", for messages about an object that a file lacks.
+/// "capsule, pyramids, fat", for messages about a missing object.
 std::string listed_names(const std::vector<std::string>& names);
 
 /// "2 faces of less than three corners are left out", for notes.

@@ -43,11 +43,11 @@ double decoded(PlyType type, const std::array<unsigned char, 8>& little_endian) 
   return 0;
 }
 
-/// The fewest bytes one item of an element takes.
+/// The minimum number of bytes of one item of an element.
 std::uint64_t min_size(const PlyElement& element, PlyFormat format) {
   std::uint64_t size = 0;
   for (const PlyProperty& property : element.properties) {
-    // In text, a digit and what parts it from the next.
+    // In text, a digit and a separator.
     size += format == PlyFormat::ascii ? 2 : size_of(property.count_type.value_or(property.type));
   }
   return size;
@@ -68,7 +68,7 @@ PlyReader::PlyReader(std::string_view bytes, const std::string& file)
 }
 
 void PlyReader::check_counts() const {
-  // The last value of a text needs nothing after it.
+  // The last value of a text needs no separator.
   std::uint64_t left = bytes_.size() - header_.size + (header_.format == PlyFormat::ascii ? 1 : 0);
   for (const PlyElement& element : header_.elements) {
     const std::uint64_t size = min_size(element, header_.format);

@@ -1,5 +1,4 @@
-// PLY as a format [Turk 1994]: its header, and its values one after another. What they mean is
-// surface_file.h's business.
+// PLY as a format [Turk 1994]: its header, and its values one after another. surface_file.h gives them their meaning.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +26,7 @@ class PlyReader {
   /// The next value, exact. \throws Error where the file ends early or has no number.
   double value(PlyType type);
 
-  /// The next list's length, no more than the bytes left can hold.
+  /// The length of the next list; at most what the remaining bytes can hold.
   std::uint64_t list_length(const PlyProperty& list);
 
   void skip(const PlyProperty& property);

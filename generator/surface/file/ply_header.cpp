@@ -39,7 +39,7 @@ class HeaderParser {
   HeaderParser(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
   PlyHeader parse() {
-    // The first line tells that this is a PLY file, and how its lines end.
+    // The first line identifies a PLY file and shows how its lines end.
     if (const std::optional<ByteMark> mark = byte_mark_of(bytes_)) {
       if (!mark->is_utf8) fail("this is UTF-16 or UTF-32 text", "save it as ASCII");
       line_end_ = mark->size;
@@ -69,7 +69,7 @@ class HeaderParser {
       }
     }
 
-    // Without a format the values could not be read, which begin right behind the header.
+    // Without a format the values after the header cannot be read.
     if (!has_format) fail("the header has no format line");
     header_.size = line_end_;
     return std::move(header_);
@@ -77,7 +77,7 @@ class HeaderParser {
 
  private:
   void next_line() {
-    // More than any honest header; what comes after it might be anything.
+    // More than any real header; the bytes after it may be anything.
     constexpr std::size_t longest_header = std::size_t{1} << 20;
     at_ = word_at_ = line_end_;
     const std::size_t end = bytes_.substr(0, longest_header).find(break_, at_);
@@ -182,7 +182,7 @@ class HeaderParser {
   PlyHeader header_;
   std::string_view line_;     ///< from the start of the file to the end of the line
   std::size_t line_end_ = 0;  ///< past the line's end
-  char break_ = '\n';         ///< what ends a line, perhaps behind a CR; old programs end lines with CR alone
+  char break_ = '\n';         ///< ends a line, perhaps after a CR; old programs end lines with CR alone
   std::size_t at_ = 0;
   std::size_t word_at_ = 0;
 };

@@ -26,7 +26,7 @@ namespace pomona {
 
 namespace {
 
-// Limits on what is read; a fruit has some ten thousand triangles.
+// Limits of the reader; a fruit has some ten thousand triangles.
 constexpr std::uint64_t max_bytes = std::uint64_t{512} << 20;
 constexpr std::uint64_t max_vertices = 5'000'000;
 constexpr std::uint64_t max_triangles = 10'000'000;
@@ -52,7 +52,7 @@ bool has(const PlyElement& element, std::initializer_list<std::string_view> name
   });
 }
 
-/// Three properties that are one vector, under any of some names.
+/// The names of three properties that form a vector.
 using VectorNames = std::array<std::string_view, 3>;
 constexpr std::array<VectorNames, 5> srgb_names{{{"red", "green", "blue"},
                                                  {"diffuse_red", "diffuse_green", "diffuse_blue"},
@@ -73,7 +73,7 @@ std::optional<int> channel_of(const PlyProperty& property, const VectorNames& na
   return found == names.end() ? std::nullopt : std::optional(static_cast<int>(found - names.begin()));
 }
 
-/// The names of an element's colours; nothing without any.
+/// The names of an element's colours; nothing without colours.
 std::optional<VectorNames> srgb_of(const PlyElement& element) {
   for (const VectorNames& names : srgb_names) {
     int channels = 0;
@@ -85,7 +85,7 @@ std::optional<VectorNames> srgb_of(const PlyElement& element) {
 
 bool is_float(PlyType type) { return type == PlyType::float32 || type == PlyType::float64; }
 
-/// Colours for viewers as they stand in the file. Full is 255 for bytes; with floats that depends on the largest.
+/// Colours for viewers as in the file. A full channel is 255 for bytes; for floats it depends on the largest.
 class Srgb {
  public:
   explicit Srgb(const PlyElement& element) : names_(srgb_of(element)) {
@@ -139,7 +139,7 @@ class SurfaceReader {
     return with_outer_skin(std::move(surfaces_));
   }
 
-  /// Shapes and the front's colours, not rounded.
+  /// The shape and the front's colours, not rounded.
   PlainMesh read_plain(const std::string& object) {
     read_elements();
     name_surfaces_and_parts();
@@ -214,7 +214,7 @@ class SurfaceReader {
 
   // Vertices
 
-  /// One vertex as its values come.
+  /// The values of one vertex.
   struct Vertex {
     glm::dvec3 position{0};
     glm::dvec3 srgb{0};
@@ -225,10 +225,10 @@ class SurfaceReader {
   using Setter = std::function<void(Vertex&, double)>;
 
   Setter setter_of(const PlyProperty& property, const Srgb& srgb) const {
-    // Properties that are lists say nothing of a vertex.
+    // Ignore list properties of a vertex.
     if (property.count_type) return {};
 
-    // Positions and colours are vectors, each of three properties.
+    // Positions and colours are vectors of three properties each.
     if (const std::optional<int> k = exact_channel_of(property, {"x", "y", "z"}))
       return [this, k = *k](Vertex& v, double value) { v.position[k] = number(value, farthest_read); };
     struct Channels {
@@ -273,7 +273,7 @@ class SurfaceReader {
   }
 
   void read_vertices() {
-    // Find what each property sets, and which colours the file has.
+    // Find which value each property sets, and which colours the file has.
     std::vector<Setter> setters;
     Srgb srgb(*vertices_);
     for (const PlyProperty& property : vertices_->properties) setters.push_back(setter_of(property, srgb));
@@ -286,7 +286,7 @@ class SurfaceReader {
       ply_.start_item(*vertices_, i);
       Vertex vertex;
 
-      // Properties that set nothing are passed over.
+      // Skip the values of other properties.
       for (std::size_t k = 0; k < setters.size(); ++k) {
         const PlyProperty& property = vertices_->properties[k];
         if (setters[k]) {
@@ -302,7 +302,7 @@ class SurfaceReader {
       if (srgb.is_there()) srgb.add(vertex.srgb);
     }
 
-    // A front without a colour takes what viewers show, or is grey; a back without one is like its front.
+    // A front without its own colour gets the viewers' colour, or grey; a back without one gets its front's.
     has_color_ = has_front || srgb.is_there();
     paints_backs_ = !has_back;
     if (has_front || !srgb.is_there()) return;
@@ -337,7 +337,7 @@ class SurfaceReader {
   struct Face {
     std::vector<std::uint32_t> corners;
     std::int32_t surface = 0, front_part = 0, back_part = 0;
-    std::uint32_t index = 0;  ///< in the element
+    std::uint32_t index = 0;  ///< index within the element
   };
   static constexpr std::uint32_t no_face = UINT32_MAX;
 
@@ -367,7 +367,7 @@ class SurfaceReader {
     }
   }
 
-  /// Each three corners in a row are a triangle, each second one the other way round; -1 begins a new strip.
+  /// Every three successive corners are a triangle, every second one with reversed order; -1 begins a new strip.
   void read_strips() {
     for (std::uint64_t i = 0; i < strips_->count; ++i) {
       ply_.start_item(*strips_, i);
@@ -427,7 +427,7 @@ class SurfaceReader {
     return static_cast<std::uint32_t>(value);
   }
 
-  /// A polygon is cut into triangles where its corners lie: it waits for them if they come behind.
+  /// Triangulates a polygon. This needs its corners' positions: if the vertices come later, the polygon waits.
   void append(Face face) {
     if (face.corners.size() > 3 && surfaces_.vertex_count() < vertices_->count) {
       awaiting_.push_back(std::move(face));
@@ -448,12 +448,12 @@ class SurfaceReader {
     }
   }
 
-  /// The polygons that waited, behind all other triangles.
+  /// Appends the waiting polygons after all other triangles.
   void append_awaiting() {
     for (Face& face : std::exchange(awaiting_, {})) append(std::move(face));
   }
 
-  /// Faces that have colours where vertices have none give them to their corners; each colour needs its own vertex.
+  /// If only faces have colours, gives them to the corners; each colour needs its own vertex.
   void paint_faces() {
     if (has_color_ || !face_color_ || !face_color_->is_there()) return;
     has_color_ = true;
@@ -481,13 +481,13 @@ class SurfaceReader {
     return pomona::doubled_vertex(surfaces_, vertex);
   }
 
-  /// False while the vertices are still to come.
+  /// False before the vertices are read.
   bool hides_both_sides(std::size_t triangle) const {
     return surfaces_.vertex_count() == vertices_->count && surfaces_.is_hidden(triangle, SideOf::front) &&
            surfaces_.is_hidden(triangle, SideOf::back);
   }
 
-  /// Where they are wanted first, then to floats: the other way round what lies far away would lose its shape.
+  /// Places the points, then rounds them to floats: rounding first would distort shapes far from the origin.
   void round_positions() {
     if (surfaces_.triangle.empty())
       ply_.fail_at(faces_ ? faces_->byte : strips_->byte, "the file has no faces of three corners or more");
@@ -515,7 +515,7 @@ class SurfaceReader {
 
   // Names
 
-  /// Colours that only a picture holds are not read.
+  /// Notes that colours in a picture are not read.
   void note_texture() {
     for (const std::string& comment : ply_.header().comments) {
       if (!comment.starts_with("TextureFile") || has_color_) continue;
@@ -536,7 +536,7 @@ class SurfaceReader {
     complete(surfaces_.part_names, surfaces_.back_part, "part ");
   }
 
-  /// "surface 3 skin" names surface 3; any other comment says nothing to us.
+  /// "surface 3 skin" names surface 3; other comments are ignored.
   static void read_name(std::string_view comment, std::string_view what, std::vector<std::string>& names) {
     if (!comment.starts_with(what)) return;
     comment.remove_prefix(what.size());
@@ -566,10 +566,10 @@ class SurfaceReader {
   const PlyElement* faces_ = nullptr;
   const PlyElement* strips_ = nullptr;
   Placing placing_;
-  std::vector<glm::dvec3> exact_;       ///< positions as they stand in the file
+  std::vector<glm::dvec3> exact_;       ///< positions as in the file
   std::optional<Srgb> face_color_;      ///< one for each face
   std::vector<std::uint32_t> face_of_;  ///< for each triangle
-  std::vector<Face> awaiting_;          ///< polygons that came before their vertices
+  std::vector<Face> awaiting_;          ///< polygons before their vertices
   bool has_color_ = false, paints_backs_ = false;
   std::size_t faces_left_out_ = 0;  ///< of less than three corners
   DiffusionSurfaces surfaces_;

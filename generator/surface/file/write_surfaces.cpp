@@ -37,7 +37,7 @@ std::string write_surfaces(const DiffusionSurfaces& surfaces) {
   constexpr std::size_t bytes_per_vertex = 45, bytes_per_face = 25, header_room = 65536;
   out.reserve(header_room + bytes_per_vertex * surfaces.vertex_count() + bytes_per_face * surfaces.triangle_count());
 
-  // Vertices also have a plain colour: viewers that know no diffusion surfaces show the front.
+  // Vertices also have a plain colour, the front's, for viewers that do not know diffusion surfaces.
   for (std::size_t v = 0; v < surfaces.vertex_count(); ++v) {
     out.add(surfaces.position[v]);
     const glm::u8vec3 shown = to_srgb8(surfaces.front_color[v]);
@@ -49,7 +49,7 @@ std::string write_surfaces(const DiffusionSurfaces& surfaces) {
     out.add(surfaces.back_hidden[v]);
   }
 
-  // Triangles are a list of three corners each, then the surface and its parts.
+  // A triangle is a list of three corners, then its surface and its parts.
   for (std::size_t i = 0; i < surfaces.triangle_count(); ++i) {
     out.add(std::uint8_t{3});
     for (int k = 0; k < 3; ++k) out.add(surfaces.triangle[i][k]);

@@ -43,7 +43,7 @@ Subsurface read_subsurface(const TomlTable& table) {
   return subsurface;
 }
 
-/// What renderers that follow light's paths ask.
+/// Reads the keys for path tracers.
 void read_light_inside(const TomlTable& table, MaterialSketch& material) {
   if (table.has("tissue")) {
     material.tissue = static_cast<Tissue>(

@@ -27,7 +27,7 @@ bool lets_light_through(const Solid& solid) {
                      [](const MaterialSketch& material) { return material.translucency.depth > 0; });
 }
 
-/// Whether the film of juice, in red, thins out anywhere.
+/// True if the film of juice, in red, thins out anywhere.
 bool ends_somewhere(const Image& thickness) {
   return std::any_of(thickness.pixels.begin(), thickness.pixels.end(),
                      [](const glm::u8vec3& pixel) { return pixel.r < 255; });
@@ -43,7 +43,7 @@ int PieceMaterials::material(const Solid& solid, const MaterialGroup& group,
   const auto known = known_.find({name, solid.closed, solid.opacity, group.look, textures});
   if (known != known_.end()) return known->second;
 
-  // White where vertices have colours, so that those speak. Open meshes show both sides.
+  // White if vertices have colours, so that only these count. Open meshes show both sides.
   Json metal = {{"metallicFactor", 0.0}, {"roughnessFactor", group.look.roughness}};
   if (solid.opacity < 1) metal["baseColorFactor"] = {1.0, 1.0, 1.0, static_cast<double>(solid.opacity)};
   if (textures) metal["baseColorTexture"] = {{"index", textures->color}};
@@ -60,7 +60,7 @@ int PieceMaterials::material(const Solid& solid, const MaterialGroup& group,
   return index;
 }
 
-/// Extensions for what glTF itself cannot say; viewers may ignore them.
+/// Adds extensions for properties beyond glTF's core; viewers may ignore them.
 void PieceMaterials::add_extensions(Json& material, const PbrMaterial& look) {
   const auto add = [&](const char* name, Json factors) {
     material["extensions"][name] = std::move(factors);
@@ -81,9 +81,8 @@ void PieceMaterials::add_extensions(Json& material, const PbrMaterial& look) {
   }
 }
 
-/// Maps say all of the roughness, and how much of its film a cut face has. Of the light that goes in, what comes
-/// through goes by the way through the part: after the material's depth, which its share of transmission tells, 1/e of
-/// it is left.
+/// Adds maps of roughness and of the film on cut faces. Transmitted light decreases with its path through the part: 1/e
+/// is left after the material's depth, which follows from its share of transmission.
 void PieceMaterials::add_maps(Json& material, const PbrMaterial& look, const PieceTextures& textures) {
   if (textures.normal) material["normalTexture"] = {{"index", *textures.normal}};
   if (textures.orm) {
@@ -116,7 +115,7 @@ PieceTextures PieceMaterials::add_textures(const BakedSolid& baked) {
   return textures;
 }
 
-/// Trilinear; one for all textures. Charts lie apart, and nothing repeats.
+/// One trilinear sampler without repetition for all textures; charts are separate.
 int PieceMaterials::smooth_sampler() {
   if (!sampler_) {
     sampler_ = document_.add("samplers", {{"magFilter", linear},

@@ -41,7 +41,7 @@ Json extras_of(const Solid& solid, const ExportOptions& options) {
   return extras;
 }
 
-/// The parts of vertices once more, by the same array, as Cesium and others read them.
+/// The parts of vertices again, from the same array, as EXT_mesh_features for Cesium and others.
 void add_feature_ids(GltfDocument& document, Json& primitive, std::size_t parts) {
   primitive["attributes"]["_FEATURE_ID_0"] = primitive["attributes"]["_PART"];
   primitive["extensions"]["EXT_mesh_features"] = {
@@ -49,12 +49,12 @@ void add_feature_ids(GltfDocument& document, Json& primitive, std::size_t parts)
   document.use_extension("EXT_mesh_features");
 }
 
-/// Each variant with the material that it shows here.
+/// Adds each variant with its material.
 void add_variants(Json& primitive, PieceMaterials& materials, const Solid& solid, const MaterialGroup& group,
                   const PieceMeshOptions& mesh) {
   Json mappings = Json::array();
   for (std::size_t i = 0; i < mesh.variant_textures.size(); ++i) {
-    // The surface stays as it is.
+    // Variants keep the surface's other maps.
     PieceTextures textures = mesh.textures.value_or(PieceTextures{});
     textures.color = mesh.variant_textures[i];
     Json mapping = {{"material", materials.material(solid, group, textures)}};

@@ -88,7 +88,7 @@ Json NodeWriter::where(const PlacedSolid& placed, const glm::vec3& pivot) {
   return node;
 }
 
-/// A level takes the node's place; outside the scene nobody shows it who does not know why.
+/// A level replaces the node; outside the scene, viewers that do not know levels do not show it.
 void NodeWriter::add_levels(Json& node, const PlacedSolid& placed, const SolidMeshes& solid, const Json& where) {
   Json ids = Json::array();
   const std::string name = engine_name(options_.engine, placed.name);
@@ -135,7 +135,7 @@ std::vector<PlacedSolid> placed_solids(const Scene& scene, bool together) {
   return all;
 }
 
-/// A group's node comes after all that it holds.
+/// A group's node comes after all of its children.
 Json added_groups(GltfDocument& document, const PieceGroup& group, const std::vector<int>& nodes, Engine engine) {
   Json children = Json::array();
   for (const PieceGroup::Member& member : group.members) {

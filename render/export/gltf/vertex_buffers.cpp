@@ -11,7 +11,7 @@ namespace pomona::gltf {
 
 namespace {
 
-/// One vertex as it lies in the file; 36 bytes, every attribute on a multiple of four as glTF demands.
+/// One vertex in the file: 36 bytes, every attribute at a multiple of four as glTF requires.
 struct GlbVertex {
   glm::vec3 position;
   glm::vec3 normal;
@@ -38,7 +38,7 @@ std::vector<GlbVertex> vertices_of(const StyledMesh& mesh, const glm::vec3& pivo
   return vertices;
 }
 
-/// glTF wants the bounds of positions.
+/// The bounds of positions, which glTF requires.
 template <typename Vertices, typename PositionOf>
 void set_bounds(Json& accessor, const Vertices& vertices, PositionOf position_of) {
   Box<float> box;

@@ -20,12 +20,12 @@ using namespace gltf;
 
 namespace {
 
-/// So many meshes are styled at once, and forgotten when they are in the file.
+/// The number of meshes styled at once; they are freed when they are in the file.
 constexpr std::size_t meshes_at_once = 64;
 
 }  // namespace
 
-/// A file under way: meshes first, solid by solid, then the nodes.
+/// A file while it is written: first the meshes, solid by solid, then the nodes.
 class GlbStream::Writer {
  public:
   Writer(ExportOptions options, SpooledBytes* spool)
@@ -33,18 +33,18 @@ class GlbStream::Writer {
 
   const ExportOptions& options() const { return options_; }
 
-  /// The scene's next solid, of `levels` levels: what add() adds from now on is of it.
+  /// Starts the scene's next solid, with `levels` levels, for the following calls of add().
   void begin(const Solid& solid, std::size_t levels);
 
-  /// A level, 0 the finest. What has no triangles is left out.
+  /// Adds a level, 0 the finest. A mesh without triangles is left out.
   void add(std::size_t level, const Solid& solid, const StyledMesh& mesh, const BakedSolid* baked = nullptr);
 
-  /// Meshes that add() adds from now on also have these materials, by the variants' textures of solid `i`.
+  /// Gives the meshes of the following calls of add() these materials, too, from the variants' textures of solid `i`.
   void set_variants(std::size_t i, std::span<const TextureVariant> variants);
 
   void name_variants(std::span<const TextureVariant> variants);
 
-  /// With what the scene says of all of them.
+  /// Completes the file from the scene.
   std::string finished(const Scene& scene);
 
  private:

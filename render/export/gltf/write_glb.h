@@ -25,9 +25,9 @@ std::string write_glb(const Scene& scene, const ExportOptions& options = {},
 std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, const ExportOptions& options,
                       std::span<const std::vector<Solid>> levels = {});
 
-/// The same with the colours in textures: `baked` has one entry per solid of the scene. TEXCOORD_0 takes the place
-/// of COLOR_0, and every solid has materials of its own. \param variants for KHR_materials_variants; viewers that do
-/// not know it show `baked`. \throws Error (bug) if a variant lies otherwise on its atlas than its solid.
+/// The same with the colours in textures: `baked` has one entry per solid of the scene. TEXCOORD_0 replaces COLOR_0,
+/// and every solid has materials of its own. \param variants for KHR_materials_variants; viewers without it show
+/// `baked`. \throws Error (bug) if a variant has another atlas than its solid.
 std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options = {},
                       std::span<const std::vector<BakedSolid>> levels = {},
                       std::span<const TextureVariant> variants = {});

@@ -90,8 +90,8 @@ void append_texture_choices(std::string& text, int indent, std::span<const Textu
 
 namespace {
 
-/// OpenPBR [Academy Software Foundation 2024] in MaterialX: what the preview has no words for, light under the surface
-/// above all. Its lengths are in units of the stage, metres. The prim "light" and what colours it.
+/// OpenPBR [Academy Software Foundation 2024] in MaterialX, for what the preview lacks, above all subsurface light. Its
+/// lengths are in units of the stage, metres. The prim "light" and its colour.
 std::string open_pbr_text(const PbrMaterial& look, float opacity) {
   std::string text = "        def Shader \"light\"\n        {\n";
   text += "            uniform token info:id = \"ND_open_pbr_surface_surfaceshader\"\n";
@@ -125,7 +125,7 @@ std::string open_pbr_text(const PbrMaterial& look, float opacity) {
   return text + "            color3f outputs:out\n        }\n";
 }
 
-/// The indentation is that of a prim within the scope of looks.
+/// Indented for a prim in the scope of looks.
 std::string material_text(const std::string& name, const PbrMaterial& look, float opacity) {
   std::string text = "    def Material \"" + name + "\"\n    {\n";
   text += "        token outputs:surface.connect = <surface.outputs:surface>\n";

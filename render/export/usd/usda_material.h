@@ -17,16 +17,16 @@ struct TextureChoice {
   std::string name, file;
 };
 
-/// "def Material NAME": the look's class prim, with the colours of a texture in place of those of vertices. \param file
-/// of the texture; empty where variants say it, since what is said here goes before them.
+/// "def Material NAME": the look's class prim, with a texture's colours instead of those of vertices. \param file of
+/// the texture; empty if variants name it, because a prim's own value wins over its variants.
 void append_textured_material(std::string& text, int indent, const std::string& name, const std::string& look,
                               const std::string& file);
 
-/// The variant set: each choice names the file of these materials, which lie in the piece's scope "Looks".
+/// The variant set: each choice names the file of these materials in the piece's scope "Looks".
 void append_texture_choices(std::string& text, int indent, std::span<const TextureChoice> choices,
                             std::span<const std::string> materials);
 
-/// All pieces of a fruit share its looks: a class prim for each, which pieces refer to.
+/// The looks that all pieces of a fruit share: a class prim for each, to which pieces refer.
 class Looks {
  public:
   /// The name of the class for one of the solid's groups: "tomato_skin".

@@ -14,7 +14,7 @@ namespace {
 constexpr double of_points = 1e-7;  ///< metres; equal positions stay equal, so meshes stay closed
 constexpr double of_normals = 1e-3, of_colors = 1e-4, of_places = 1e-6;
 
-/// Faces by what they have in common, as subsets of a mesh.
+/// Faces with a common property, as a subset of a mesh.
 struct Subset {
   std::string family, name, metadata, binding;
   std::vector<std::int32_t> faces;
@@ -31,12 +31,12 @@ void append_subset(std::string& text, int indent, const Subset& subset) {
   line("}");
 }
 
-/// The piece's own material for a look. Of a level of detail with a texture of its own it is named after both.
+/// The name of the piece's material for a look; for a level of detail with its own texture it names both.
 std::string material_name(const std::string& look, const StyledLevel& level, std::size_t number) {
   return level.texture.empty() || number == 0 ? look : look + "_LOD" + std::to_string(number);
 }
 
-/// A subset for each look, bound to a material that lies beside the mesh.
+/// A subset for each look, bound to a material beside the mesh.
 std::vector<Subset> subsets_by_material(const StyledLevel& level, std::size_t number, Looks& looks) {
   std::vector<Subset> subsets;
   for (const MaterialGroup& group : groups_by_material(level.solid, level.mesh, LightInside::told)) {
@@ -49,7 +49,7 @@ std::vector<Subset> subsets_by_material(const StyledLevel& level, std::size_t nu
   return subsets;
 }
 
-/// A subset for each part, labelled: what a face is at its first corner.
+/// A labelled subset for each part; a face has the part of its first corner.
 std::vector<Subset> subsets_by_part(const StyledLevel& level) {
   std::map<std::int32_t, std::vector<std::int32_t>> faces;
   for (std::size_t t = 0; t < level.mesh.triangle.size(); ++t)
@@ -88,7 +88,7 @@ void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const 
   if (mesh.uv.empty()) {
     line("color3f[] primvars:displayColor = " + list(mesh.color, of_colors) + " (interpolation = \"vertex\")");
   } else {
-    // Ours count rows of texels from the top, USD's from the bottom.
+    // Our rows of texels count from the top, USD's from the bottom.
     std::vector<glm::vec2> places = mesh.uv;
     for (glm::vec2& place : places) place.y = 1 - place.y;
     line("texCoord2f[] primvars:st = " + list(places, of_places) + " (interpolation = \"vertex\")");
@@ -138,9 +138,9 @@ void append_custom_data(std::string& text, const Solid& solid, const ExportOptio
   append_line(text, 2, "}");
 }
 
-/// The materials of the piece lie within it, because references take nothing along that lies outside. Returns those of
-/// the solid itself.
-/// \param has_choices textures are what the variants say.
+/// The materials of the piece are inside it, because references do not include anything outside. Returns those of the
+/// solid itself.
+/// \param has_choices the variants name the textures.
 std::vector<std::string> append_looks(std::string& text, std::span<const StyledLevel> levels, Looks& looks,
                                       bool has_choices) {
   std::map<std::string, bool> said;
@@ -166,7 +166,7 @@ std::vector<std::string> append_looks(std::string& text, std::span<const StyledL
   return own;
 }
 
-/// Which variant sets there are, and the first of each chosen.
+/// The variant sets, with the first variant of each selected.
 void append_variant_sets(std::string& text, bool has_levels, std::span<const TextureChoice> choices) {
   if (!has_levels && choices.empty()) return;
   const auto line = [&](const std::string& words) { append_line(text, 2, words); };
@@ -178,7 +178,7 @@ void append_variant_sets(std::string& text, bool has_levels, std::span<const Tex
   line("prepend variantSets = " + (choices.empty() ? "\"LOD\"" : has_levels ? both : "\"ripeness\""));
 }
 
-/// Its mesh, or those of its levels of detail.
+/// The piece's mesh, or those of its levels of detail.
 void append_meshes(std::string& text, std::span<const StyledLevel> levels, const glm::vec3& pivot, Looks& looks) {
   const auto append = [&](std::size_t number, int indent) {
     append_mesh(text, indent, levels[number], pivot, subsets_by_material(levels[number], number, looks));

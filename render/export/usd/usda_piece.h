@@ -14,12 +14,12 @@ struct StyledLevel {
   const Solid& solid;
   const StyledMesh& mesh;
   std::string texture =
-      {};  ///< the file with its colours, for the mesh's texture coordinates; empty: vertices have them
+      {};  ///< the file with its colours, for the mesh's texture coordinates; empty if vertices have colours
 };
 
-/// "def Xform NAME { ... }", a component: its mesh or, of several levels, the variant set LOD; mass, labels, and what
-/// makes it again. \param levels the solid first. \param looks takes the materials that it needs. \param choices of
-/// textures for the solid, as the variant set "ripeness", the first chosen; or none.
+/// "def Xform NAME { ... }", a component: its mesh or, for several levels, the variant set LOD; mass, labels, and the
+/// command that makes it again. \param levels the solid first. \param looks receives the materials that it needs.
+/// \param choices of textures for the solid, as the variant set "ripeness", the first selected; or none.
 std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
                        const ExportOptions& options, std::span<const TextureChoice> choices = {});
 

@@ -102,7 +102,7 @@ void append_line(std::string& text, int indent, const std::string& line) {
 
 std::string asset(const std::string& file) {
   if (file.find('@') == std::string::npos) return "@./" + file + "@";
-  // Three in the name would end the path, also where two stand at its end [openusd.org, "Asset"].
+  // Three of these signs would end the path, also two at the end of the name [openusd.org, "Asset"].
   std::string escaped;
   for (std::size_t i = 0; i < file.size();) {
     const bool is_end = std::string_view(file).substr(i).starts_with("@@@");

@@ -31,13 +31,13 @@ std::string list(std::span<const std::int32_t> values);
 /// A line of four spaces a step of indentation: "        int x = 3\n".
 void append_line(std::string& text, int indent, const std::string& line);
 
-/// Between the signs that hold a file's name: "@./kiwi.png@".
+/// A file's name as an asset path: "@./kiwi.png@".
 std::string asset(const std::string& file);
 
-/// Between double quotes, with what is special in it escaped.
+/// The text in double quotes, with special characters escaped.
 std::string quoted(const std::string& text);
 
-/// Names of prims beside each other: letters, digits and underscores, and no two the same.
+/// Unique names of sibling prims, of letters, digits and underscores.
 class PrimNames {
  public:
   std::string name_for(const std::string& wanted);

@@ -20,7 +20,7 @@ using namespace usd;
 
 namespace {
 
-/// So many meshes are styled at once, and forgotten when they are text.
+/// The number of meshes styled at once; they are freed when they are text.
 constexpr std::size_t meshes_at_once = 64;
 
 glm::dquat unit(const glm::dquat& q) {
@@ -28,7 +28,7 @@ glm::dquat unit(const glm::dquat& q) {
   return length > 0 ? q / length : glm::dquat(1, 0, 0, 0);
 }
 
-/// The solids' class prims, and what they are called; nothing of one without triangles.
+/// The solids' class prims and their names; none for a solid without triangles.
 struct Pieces {
   std::vector<std::string> name;  ///< per solid
   std::string text;
@@ -62,7 +62,7 @@ Pieces pieces_of(const Scene& scene, const ExportOptions& options, std::span<con
   return pieces;
 }
 
-/// Pieces with textures, and these as files.
+/// Pieces with textures, and the textures as files.
 class TexturedPieces {
  public:
   TexturedPieces(const std::string& stem, const ExportOptions& options) : stem_(stem), options_(options) {}
@@ -74,7 +74,7 @@ class TexturedPieces {
   std::vector<NamedFile> textures;
 
  private:
-  /// The file's name. \param what it shows: the piece, and what of it.
+  /// Adds a texture and returns its file's name. \param what it shows: the piece, and its kind.
   std::string added_texture(const std::string& what, const Image& picture) {
     textures.push_back({stem_ + "_" + what + ".png", write_png(picture, PngPacking::fast)});
     return textures.back().name;
@@ -117,7 +117,7 @@ glm::dvec3 place_of(const Instance& instance, const Scene& scene) {
   return unit(instance.pose.rotation) * pivot + instance.pose.translation;
 }
 
-/// A prim that is the piece at its place.
+/// A prim for a piece at its place.
 std::string instance_text(const Instance& instance, const Scene& scene, const std::string& piece, int indent,
                           PrimNames& names) {
   const std::string in = indented(indent);
@@ -187,13 +187,13 @@ std::string point_instancer_text(const Scene& scene, const Pieces& pieces, PrimN
   std::string text = "    def PointInstancer \"" + names.name_for("pieces") + "\"\n    {\n";
   text += "        rel prototypes = [" + targets + "]\n        int[] protoIndices = " + list(index) + "\n";
   text += "        point3f[] positions = [" + positions + "]\n";
-  // Those of half precision are for programs from before USD 24.08; the others go before them.
+  // Orientations of half precision are for programs before USD 24.08; the others take precedence.
   text += "        quath[] orientations = [" + orientations + "]\n";
   text += "        quatf[] orientationsf = [" + orientations + "]\n\n";
   return text + "        def Scope \"Prototypes\"\n        {\n" + prototypes + "        }\n    }\n";
 }
 
-/// A lens on a film 24 mm high; tenths of a scene unit are what USD measures both in.
+/// A lens on a film 24 mm high; USD measures both in tenths of a scene unit.
 std::string camera_text(const View& view, const std::string& name) {
   const ViewFrame frame = view_frame(view);
   const double half = view.vertical_field / 2, film = 24;
@@ -209,7 +209,7 @@ std::string camera_text(const View& view, const std::string& name) {
   return text + "        uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]\n    }\n";
 }
 
-/// Which camera is the active one: for Omniverse, and by a standard prim for who renders.
+/// The active camera: for Omniverse, and by a standard prim for renderers.
 std::string head_text(const std::string& camera, const ExportOptions& options) {
   std::string text = "#usda 1.0\n(\n    customLayerData = {\n        dictionary cameraSettings = {\n";
   text += "            string boundCamera = " + quoted(camera) + "\n        }\n    }\n";

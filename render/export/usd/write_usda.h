@@ -18,15 +18,15 @@ namespace pomona {
 std::string write_usda(const Scene& scene, const ExportOptions& options = {},
                        std::span<const std::vector<Solid>> levels = {});
 
-/// A .usda and the pictures that belong beside it.
+/// A .usda and its pictures.
 struct UsdaFiles {
   std::string text;
   std::vector<NamedFile> textures;  ///< .png
 };
 
-/// The same with the colours in textures, "`stem`_PIECE.png": `baked` has one entry per solid of the scene, and so have
-/// the levels. \param variants as the variant set "ripeness", after "as_is". \throws Error (bug) if a variant lies
-/// otherwise on its atlas than its solid.
+/// The same with the colours in textures, "`stem`_PIECE.png": `baked` and the levels have one entry per solid of the
+/// scene. \param variants as the variant set "ripeness", after "as_is". \throws Error (bug) if a variant has another
+/// atlas than its solid.
 UsdaFiles write_usda(const Scene& scene, std::span<const BakedSolid> baked, const std::string& stem,
                      const ExportOptions& options = {}, std::span<const std::vector<BakedSolid>> levels = {},
                      std::span<const TextureVariant> variants = {});

@@ -1,18 +1,18 @@
 // Cut faces in three.js: a material that colours any surface inside a fruit, from an asset (.pomona, or a .glb that
-// carries one). Wants read_asset.js and look_up.js beside it, and the text of look.glsl.
+// contains one). Needs read_asset.js and look_up.js beside it, and the text of look.glsl.
 import * as THREE from 'three';
 
 import * as LookUp from './look_up.js';
 import * as Asset from './read_asset.js';
 
-/** The asset that a loaded .glb carries, unpacked; null where it carries none. `gltf`: what GLTFLoader has loaded. */
+/** The decompressed asset in a loaded .glb; null without one. `gltf`: the result of GLTFLoader. */
 export async function assetOf(gltf) {
   const {json} = gltf.parser, extension = json.extensions && json.extensions.POMONA_cuttable;
   return extension ? unpackedAsset(new Uint8Array(await gltf.parser.getDependency('bufferView', extension.bufferView)))
                    : null;
 }
 
-/** From the bytes of a .pomona. */
+/** The asset from the bytes of a .pomona. */
 export async function unpackedAsset(packed) { return Asset.decoded(await Asset.unpacked(packed)); }
 
 function texture(Kind, data, size, format, type, internalFormat, colorSpace = THREE.NoColorSpace) {
@@ -32,7 +32,7 @@ function texture(Kind, data, size, format, type, internalFormat, colorSpace = TH
   return made;
 }
 
-/** A material for surfaces in the fruit's own frame, metres: what lies in air is left out. */
+/** A material for surfaces in the fruit's own frame, metres; places in air are discarded. */
 export function cutMaterial(fruit, look) {
   const {header, count, units} = fruit;
   const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));

@@ -1,4 +1,4 @@
-// The parts that batches are made of, by themselves.
+// Unit tests of the parts of batches.
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -26,7 +26,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The most that was lent at once to 40 items of `each` bytes on four threads.
+/// The maximum memory that 40 items of `each` bytes borrowed at once on four threads.
 std::uint64_t max_lent(std::uint64_t budget_bytes, std::uint64_t each) {
   MemoryBudget budget(budget_bytes);
   std::atomic<std::uint64_t> lent = 0, max = 0;
@@ -83,7 +83,7 @@ TEST(Workplace, PutsItemsWholeAndInPlaceOfWhatIsThere) {
     EXPECT_EQ(text_of(out / "entry/000/001/c.txt"), "c");
     EXPECT_FALSE(fs::exists(out / "entry/000/001/a.txt"));
 
-    // A file larger than what waits in memory comes out as it went in.
+    // A file larger than the buffer is written unchanged.
     const std::string line(1000, 'x');
     workplace.put_file("long.txt", [&](const Workplace::Writer& write) {
       for (int k = 0; k < 1000; ++k) write(line);

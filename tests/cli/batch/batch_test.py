@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""`pomona batch` and `merge`, as a user starts them: the same bytes on any threads and in any shards, what the manifest says
-against the files, what bad input is told, locks.
+"""`pomona batch` and `merge` as a user starts them: the same bytes with any threads and shards, the manifest against the files,
+errors of bad input, locks.
 
     batch_test.py PROGRAM SOURCE [unittest's words]
 """
@@ -29,7 +29,7 @@ PROGRAM, SOURCE = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
 
 
 class Sandbox(unittest.TestCase):
-    """A folder with small.toml in it; the batch itself is made once for all."""
+    """A folder with small.toml; the batch is made once for all tests."""
 
     @classmethod
     def setUpClass(cls):
@@ -310,7 +310,7 @@ class Merge(Sandbox):
 
 class Failures(Sandbox):
     def test_are_listed_and_do_not_stop_the_others(self):
-        # Radishes have no room for so many slices: that is only known once they have grown.
+        # Radishes have no room for so many slices, which is known only when they are grown.
         text = SMALL.replace('name = "test"', 'name = "failing"').replace("seeds = 3", 'seeds = 3\nknives = ["half", "slices:0.01mm"]')
         (self.path / "failing.toml").write_text(text)
         result = self.run_batch("--quiet", batch="failing.toml", status=1)
@@ -322,7 +322,7 @@ class Failures(Sandbox):
         self.assertEqual(failed[0]["files"], [])
         self.assertEqual(len(manifest["items"]), 10)
 
-        # They are tried again, and shards end the same.
+        # They are tried again, and shards give the same result.
         before = tree(self.path / "out")
         self.assertEqual(json.loads(self.run_batch("--resume", "--json", batch="failing.toml", status=1).stdout)["made"], 1)
         self.assertEqual(tree(self.path / "out"), before)
@@ -384,7 +384,7 @@ class Page(Sandbox):
         class Scripts(html.parser.HTMLParser):
             def handle_starttag(self, tag, attributes):
                 attributes = dict(attributes)
-                # Nothing is fetched from elsewhere.
+                # Nothing is fetched from the network.
                 assert "src" not in attributes or tag == "img", attributes
                 if tag == "script":
                     open_script.append(attributes.get("id"))
@@ -494,7 +494,7 @@ class Schema(Sandbox):
             jsonschema.validate(tomllib.loads(text), self.schema)
 
     def test_refuses_what_the_program_refuses(self):
-        # What only a reader of knives and templates, or of several entries at once, can know.
+        # Errors that need knives and templates, or several entries at once.
         beyond = {"not_toml", "bad_knife", "bad_knife_within", "same_names", "too_many", "no_ripeness"}
         for file in (SOURCE / "tests/batch/bad").glob("*.toml"):
             if file.stem not in beyond:

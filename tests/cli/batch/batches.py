@@ -1,4 +1,4 @@
-"""What tests of batches share: a small batch, runs of the program, and folders as values."""
+"""Shared by tests of batches: a small batch, runs of the program, and folders as values."""
 
 import hashlib
 import os
@@ -28,12 +28,12 @@ seeds = 3
 formats = ["ply", "pov", "svg"]
 """
 
-# The least that has two entries and all kinds of files: three items.
+# The smallest batch with two entries and all kinds of files: three items.
 TINY = SMALL.replace('["radish", "cherry"]', '"radish"').replace('knives = ["half", ["half", "across"]]', 'knives = "half"')
 
 
 def pomona(program, *words, folder=".", shim=None, **environment):
-    """How `pomona` ended with these words: a CompletedProcess, its output as text."""
+    """Runs `pomona` with these arguments: a CompletedProcess with its output as text."""
     variables = dict(os.environ, **{key: str(value) for key, value in environment.items()})
     if shim:
         variables["LD_PRELOAD"] = str(shim)
@@ -41,7 +41,7 @@ def pomona(program, *words, folder=".", shim=None, **environment):
 
 
 def tree(folder):
-    """What lies in a folder: SHA-256 by path, folders with None. Two runs agree when these do."""
+    """The contents of a folder: SHA-256 by path, None for folders. Two runs agree if these do."""
     folder = pathlib.Path(folder)
     found = {}
     for path in sorted(folder.rglob("*")):

@@ -1,5 +1,5 @@
-// A library to load before others (LD_PRELOAD): lets the n-th call that changes a folder's files fail, or kills the
-// process there. For tests of what a batch leaves behind.
+// A library for LD_PRELOAD: makes the n-th call that changes a folder's files fail, or kills the process there, to test
+// what a batch leaves behind.
 //
 //   POMONA_FAIL_FOLDER   calls on this folder, a whole path, and what lies below are counted
 //   POMONA_FAIL_CALL     only these: open, mkdir, write, fsync, close, rename, link, unlink, rmdir; "any" is all
@@ -50,7 +50,7 @@ Plan& plan() {
   return only;
 }
 
-/// Whether this call is to fail; errno says how.
+/// True if this call must fail; errno is the reason.
 bool fails(const char* call, std::string path) {
   Plan& p = plan();
   char here[PATH_MAX];
@@ -76,7 +76,7 @@ Function real(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-/// Of what may be relative to a folder: only whether it lies below ours matters.
+/// The path of a file given relative to a folder; only whether it lies below the counted folder matters.
 std::string path_at(int folder, const char* path) {
   return path[0] == '/' || folder == AT_FDCWD ? std::string(path) : path_of(folder) + "/" + path;
 }
@@ -107,7 +107,7 @@ int mkdir(const char* path, mode_t mode) {
   return real<int (*)(const char*, mode_t)>("mkdir")(path, mode);
 }
 
-// A disk that is full takes what fits before it says so.
+// A full disk first writes what fits.
 ssize_t write(int descriptor, const void* bytes, size_t count) {
   const auto really = real<ssize_t (*)(int, const void*, size_t)>("write");
   if (fails("write", path_of(descriptor))) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Stops a batch at many moments and lets it go on: what comes out must equal an undisturbed run, byte for byte. Calls that
+"""Stops a batch at many moments and resumes it: the result must equal an undisturbed run, byte for byte. Calls that
 fail (a full disk, a read-only one, ...) must end with a documented status and damage nothing.
 
     stops_test.py PROGRAM SHIM KILLS    KILLS: so many kills in all, half at random moments, half at every k-th call
@@ -45,7 +45,7 @@ class Stops:
                           POMONA_FAIL_COUNT=count)
 
     def calls(self, call, *words):
-        """How many there are in a run that nothing disturbs."""
+        """The number of calls in an undisturbed run."""
         shutil.rmtree(self.out, ignore_errors=True)
         count = self.folder / "count"
         self.check(self.failing(call, 0, "0", "--threads", "1", *words, count=count), 0, "counting")
@@ -59,14 +59,14 @@ class Stops:
             sys.exit(f"{what}: differs in {wrong[:6]}")
 
     def nothing_is_half_there(self, what):
-        """Whatever lies where items lie is whole."""
+        """Every item in its place is complete."""
         for path in self.out.rglob("*"):
             name = path.relative_to(self.out).as_posix()
             if not name.startswith(".pomona") and (name not in self.expected or path.is_file() and tree_hash(path) != self.expected[name]):
                 sys.exit(f"{what}: {name} is not as it should be")
 
     def killed_at_calls(self, kills):
-        """At every k-th of the calls that change something; the last runs are themselves resumed ones."""
+        """Kills at every k-th call that changes something; later runs are resumed ones."""
         total = self.calls("any")
         step = max(1, -(-total // kills))
         moments = list(range(1, total + 1, step))
@@ -99,7 +99,7 @@ class Stops:
         return killed
 
     def killed_shards(self):
-        """A shard and a merge, each killed at some calls; then the shard, and the merge, once more."""
+        """A shard and a merge, each killed at some calls, then repeated."""
         for at in (3, 9, 17, 26, 34):
             shutil.rmtree(self.out, ignore_errors=True)
             self.failing("any", at, "kill", "--shard", "1/2")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""`pomona farm`, on a machine without a farm: what its scripts and commands do when a shell runs them, whatever paths are called;
-what Slurm is told; what status tells, against the folder and a queue. tests/programs/slurm_farm.py has a real Slurm.
+"""`pomona farm` on a machine without a farm: its scripts and commands run by a shell, with any names of paths; the arguments for
+Slurm; the status against the folder and a queue. tests/programs/slurm_farm.py has a real Slurm.
 
     farm_test.py PROGRAM SOURCE [unittest's words]
 """
@@ -23,7 +23,7 @@ from batches import SMALL, pomona, tree  # noqa: E402
 
 PROGRAM, SOURCE = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 
-# All that means something to a shell, to printf, to Slurm's file names or to JSON.
+# All characters with a meaning in shells, printf, Slurm's file names or JSON.
 HOSTILE = "it's 100%j \"$HOME\" `id` $(id) \\n & ; | > < * ? ~ # {a,b} ünï"
 LINE_BREAK = "two\nlines\n#SBATCH --array=0-9\n'"
 
@@ -41,7 +41,7 @@ class Sandbox(unittest.TestCase):
         self.folder.cleanup()
 
     def tool(self, name, script):
-        """A program that stands before all others of its name."""
+        """A program that comes before all others of its name in PATH."""
         file = self.tools / name
         file.write_text("#!/bin/sh\n" + script)
         file.chmod(0o755)
@@ -63,7 +63,7 @@ class Sandbox(unittest.TestCase):
         return result
 
     def alone(self):
-        """The tree of a run by itself."""
+        """The tree of a single run."""
         result = pomona(PROGRAM, "batch", "small.toml", "-o", "alone", "--quiet", folder=self.path)
         self.assertEqual(result.returncode, 0, result.stderr)
         return tree(self.path / "alone")
@@ -105,7 +105,7 @@ class Scripts(Sandbox):
                               "--resume", "--threads", used, "--memory", "2GB"])
 
 
-# Stands for sbatch: notes its words, and runs what it is given, at once.
+# Replaces sbatch: records its arguments, and runs the script at once.
 SBATCH = """
 printf '%s\\0' "$@" >>"$0.words"; printf '\\n\\0' >>"$0.words"
 for word; do
@@ -123,7 +123,7 @@ fi
 
 class Submission(Sandbox):
     def words(self):
-        """Of each call of sbatch."""
+        """The arguments of each call of sbatch."""
         calls, words = [], []
         for word in (self.tools / "sbatch.words").read_bytes().split(b"\0")[:-1]:
             if word == b"\n":
@@ -188,7 +188,7 @@ class Submission(Sandbox):
 
 class Retries(Sandbox):
     def attempts(self, statuses, retries=2):
-        """How a task ends whose runs end like this, and how long it waits between them."""
+        """The status of a task whose runs end with these, and its waiting times."""
         self.tool("program", f"""
 n=$(cat "$0.n" 2>/dev/null || echo 0); echo $((n + 1)) >"$0.n"
 set -- {" ".join(map(str, statuses))}; shift "$n"

@@ -66,7 +66,7 @@ TEST(CellTriangles, HoldEveryTriangleThatMeetsTheCell) {
         glm::dvec3 p = (1 - v - w) * corner_of(scene.surfaces, t, 0) + v * corner_of(scene.surfaces, t, 1) +
                        w * corner_of(scene.surfaces, t, 2);
         p = (p - scene.lattice.origin) / scene.lattice.spacing;
-        // A cell that reaches so far holds it, too.
+        // A cell whose margin reaches this place must hold the triangle, too.
         p[i % 3] += (random.uniform(n + 2) < 0.5 ? -0.99 : 0.99) * margin;
         const auto in = cells.in(index_of(scene.lattice, glm::ivec3(glm::floor(p))));
         EXPECT_TRUE(std::binary_search(in.begin(), in.end(), t));
@@ -85,7 +85,7 @@ TEST(CellTriangles, HoldFewOthers) {
     held += in.size();
     const glm::dvec3 middle = shapes::place_of(scene.lattice, node) + 0.5 * scene.lattice.spacing;
     for (const std::uint32_t t : in) {
-      // Neither the triangle's box nor its plane is farther than the cell reaches.
+      // Both the triangle's box and its plane are within the cell's margin.
       const glm::dvec3 a = corner_of(scene.surfaces, t, 0), b = corner_of(scene.surfaces, t, 1),
                        c = corner_of(scene.surfaces, t, 2);
       const glm::dvec3 outside = glm::max(glm::min(a, glm::min(b, c)) - middle, middle - glm::max(a, glm::max(b, c)));

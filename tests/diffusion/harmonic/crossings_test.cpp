@@ -20,8 +20,8 @@ std::vector<ArmCrossing> crossings_of(const DiffusionSurfaces& surfaces, const L
   return arm_crossings(snapped(surfaces, lattice), shapes::all_triangles(surfaces), lattice, 0, lattice.count[2]);
 }
 
-/// An arm is crossed once if one of its ends is inside and the other is not, else never; which the tie rule decides
-/// for nodes on faces, edges and corners.
+/// An arm is crossed once if exactly one of its ends is inside, else never. For nodes on faces, edges and corners the
+/// tie rule decides what is inside.
 TEST(Crossings, AreWhereOneEndIsInside) {
   const Lattice lattice = shapes::whole_lattice();
   for (const std::vector<Corners>& shape : shapes::convex_shapes()) {
@@ -35,7 +35,7 @@ TEST(Crossings, AreWhereOneEndIsInside) {
         const auto& crossings = found[{node, axis}];
         const bool there = shapes::holds(shape, shapes::place_of(lattice, next));
         if (here == there) {
-          // A corner that just touches the arm would count twice, once either way.
+          // A corner that only touches the arm would count twice, once in each direction.
           int sum = 0;
           for (const ArmCrossing& c : crossings) sum += c.front_ahead ? 1 : -1;
           EXPECT_EQ(sum, 0);
@@ -73,7 +73,8 @@ TEST(Crossings, LieOnTheTriangleAndOnTheArm) {
   }
 }
 
-/// Triangles whose corners and middles are nodes: where they pass through one, sums of thirds round to either side.
+/// Corners and middles of these triangles are nodes. Where a triangle passes through a node, sums of thirds may be
+/// rounded to either side.
 TEST(Crossings, LieOnTheirArmEvenWhereItsEndIsInTheTriangle) {
   const Lattice lattice{.origin = glm::dvec3(0), .spacing = 1, .count = {64, 64, 64}, .unit_bits = 4};
   const RandomStream random({}, "tests/triangles through nodes");

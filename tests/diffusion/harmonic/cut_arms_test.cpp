@@ -73,7 +73,7 @@ TEST(CutArms, EndOnTheSideAndTheColourThatTheirNodeSees) {
       const Color& wanted = sees_front ? paint.front : paint.back;
       EXPECT_LT(glm::distance(cut->color, wanted), 1e-6f);
 
-      // From the other end it is the same place.
+      // The cut has the same place when seen from the other end.
       const Node other = shapes::beside(node, d);
       const ArmCut* back = shapes::cut_of(arms, static_cast<std::uint32_t>(number_of(gridded, other)), d ^ 1);
       ASSERT_NE(back, nullptr);

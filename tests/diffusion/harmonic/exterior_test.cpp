@@ -19,12 +19,12 @@ Lattice wide_lattice() {
   return lattice;
 }
 
-/// How many arms are open along x, and along y and z.
+/// The share of open arms along x, and along y and z.
 struct OpenShare {
   double along = 1, across = 1;
 };
 
-/// The same from both ends.
+/// Random open arms; each arm is open or closed for both of its ends.
 std::vector<std::uint8_t> random_arms(const SparseBlocks& blocks, const Lattice& lattice, const OpenShare& share,
                                       std::uint64_t seed) {
   const RandomStream random({seed, 0}, "tests/open links");
@@ -67,7 +67,7 @@ std::vector<std::uint8_t> reached_one_by_one(const SparseBlocks& blocks, const s
 TEST(Exterior, IsWhatArmsLeadToOneByOne) {
   const Lattice lattice = wide_lattice();
   const SparseBlocks blocks = all_blocks(lattice.count);
-  // Few arms across: then what ends a row, at its words' ends too, shows.
+  // With few arms across, mistakes at the ends of rows and of their words show.
   for (const OpenShare& share : {OpenShare{0.3, 0.3}, {0.4, 0.4}, {0.95, 0.05}, {0.98, 0.02}, {1, 1}}) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const std::vector<std::uint8_t> open = random_arms(blocks, lattice, share, seed);

@@ -80,7 +80,7 @@ TEST(FieldSampler, ReproducesLinearFieldsAwayFromSurfacesAndBesideThem) {
   for (const glm::vec3& p : points_in(glm::dvec3(-1.9), {13.9, 5.9, 5.9}, 3000)) {
     const auto found = sampler.at(p);
     ASSERT_TRUE(found.has_value());
-    // Beside a surface a trace of stiffness pulls towards its colour: a tenth of 1/255 at most.
+    // Beside a surface, small stiffness pulls towards the surface's colour: a tenth of 1/255 at most.
     const bool is_away = std::isinf(found->distance);
     EXPECT_LT(glm::distance(glm::dvec3(found->color), linear(glm::dvec3(p))), is_away ? 1e-6 : 4e-4);
     (is_away ? away : beside) += 1;
@@ -125,7 +125,7 @@ TEST(FieldSampler, KnowsHowFarTheNearestSurfaceInItsCellIsAndWhichSideItSees) {
 }
 
 TEST(FieldSampler, LooksNotThroughASurface) {
-  // The grid's values are wrong for the inside of a box that fills one cell: only what its walls show counts there.
+  // The grid's values are wrong inside a box that fills one cell; there only the colours of its walls count.
   shapes::Paint paint;
   paint.back = Color(0.9f, 0.1f, 0.2f);
   paint.front = Color(0.3f, 0.3f, 0.3f);
@@ -154,7 +154,7 @@ TEST(FieldSampler, NamesTheLabelOfTheEvenCornerOfACell) {
   for (const glm::vec3& p : points_in({5, -1.9, -1.9}, {13.9, 5.9, 5.9}, 200)) {
     const auto found = sampler.at(p);
     ASSERT_TRUE(found && found->side);
-    // Labels here are the numbers of their nodes; nodes with even coordinates lie at even metres.
+    // In this test labels are the numbers of nodes. Nodes with even coordinates lie at even metres.
     const NodeBlock& block = every_other[*found->side / 8];
     const glm::dvec3 node(-2 + 2 * (8 * block.column + static_cast<int>(*found->side % 8)), -2 + 2 * block.y,
                           -2 + 2 * block.z);

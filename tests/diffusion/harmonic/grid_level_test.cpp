@@ -32,7 +32,7 @@ GridLevel level_of(const GriddedShapes& gridded) {
   return make_grid_level(gridded.lattice, gridded.blocks, gridded.arms(), glm::dvec3(0), {1});
 }
 
-/// Whether no arm of a node leads to nowhere.
+/// Whether each arm of a node ends at a node or a surface.
 bool has_all_arms(const GridLevel& level, const CutNode& node) {
   return ((level.arms.open[node.node] | node.cut) & all_open) == all_open;
 }
@@ -42,7 +42,7 @@ Node node_of(const SparseBlocks& blocks, std::uint32_t number) {
   return {8 * block.column + static_cast<int>(number % 8), block.y, block.z};
 }
 
-/// Second differences over arms of any length are exact for linear functions.
+/// Second differences are exact for linear functions, for arms of any length.
 TEST(GridLevel, HasEquationsThatLinearFieldsFulfil) {
   const GriddedShapes gridded(linear_room(), lattice_in(linear_room()));
   const GridLevel level = level_of(gridded);
@@ -92,7 +92,7 @@ TEST(GridLevel, FindsTheStencilsOfItsNodes) {
   }
 }
 
-/// Beyond the border a field goes on falling like 1 / r.
+/// Beyond the border the field falls like 1 / r.
 TEST(GridLevel, FallsLikeOneOverTheDistanceAtItsBorder) {
   const DiffusionSurfaces seed = shapes::sphere(0.05, 3);
   const GriddedShapes gridded(seed, lattice_around(seed, 0.1, 10, 0, glm::dvec3(0)));

@@ -1,4 +1,4 @@
-// The multigrid against equations that are solved one by one, without levels.
+// The multigrid, compared with a solution of the same equations without levels.
 #include "generator/diffusion/harmonic/multigrid.h"
 
 #include <algorithm>
@@ -30,8 +30,8 @@ DiffusionSurfaces painted_room() {
 
 bool takes_part(const GridLevel& level, std::size_t node) { return (level.arms.open[node] & takes_no_part) == 0; }
 
-/// A node's value by those around it: along each axis the second difference over arms of different lengths
-/// [Shortley & Weller 1938], written out anew.
+/// A node's value from its neighbours': along each axis the second difference over arms of different lengths [Shortley
+/// & Weller 1938], implemented a second time.
 class Equations {
  public:
   explicit Equations(const GridLevel& level) : level_(level) {
@@ -57,7 +57,7 @@ class Equations {
     return value;
   }
 
-  /// The largest distance of a node's value from what those around it ask for.
+  /// The max difference between a node's value and the one that follows from its neighbours.
   double residual(const std::vector<glm::dvec4>& value) const {
     double max = 0;
     for (const Equation& e : equation_) max = std::max(max, glm::length(by_neighbours(e, value) - value[e.node]));
@@ -151,7 +151,7 @@ TEST(Multigrid, SolvesTheEquationsOfItsFinestLevel) {
   EXPECT_LT(equations.residual(values_of(levels.front())), 2e-6);
 }
 
-/// Every cycle takes away at least four fifths of what is wrong, until floats end that.
+/// Every cycle removes at least four fifths of the error, down to the precision of floats.
 TEST(Multigrid, LosesMostOfItsErrorInEveryCycle) {
   const std::vector<GridLevel> start = levels_of(painted_room(), sixteen_cells());
   const Equations equations(start.front());
@@ -204,7 +204,7 @@ TEST(Multigrid, LetsNoColourThroughAWall) {
 }
 
 TEST(Multigrid, IsTheSameForAnyNumberOfThreads) {
-  // More blocks than are worth sharing, and then more than stay in a cache.
+  // First enough blocks to share among threads, then more than a cache holds.
   for (const auto& [spacing, min_runs] : {std::pair{0.05, 2000u}, {0.05 / 3, 30001u}}) {
     GridOptions options = sixteen_cells();
     options.spacing = spacing;
@@ -219,7 +219,7 @@ TEST(Multigrid, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-/// What a patch covers is solved together with what is around it: with or without, the same field.
+/// A patch and the grid around it are solved together, so the field is the same with and without the patch.
 TEST(Multigrid, SolvesAPatchTogetherWithWhatIsAroundIt) {
   const auto linear = [](const glm::dvec3& p) { return glm::dvec3(0.5 + 0.2 * p.x, 0.5 - 0.1 * p.y + 0.1 * p.z, 0.4); };
   const DiffusionSurfaces room = fields::painted_with(joined(shapes::tilted(shapes::box({-1, -1, -1}, {1, 1, 1}, 2)),
@@ -227,7 +227,7 @@ TEST(Multigrid, SolvesAPatchTogetherWithWhatIsAroundIt) {
                                                       linear);
   GridOptions options = sixteen_cells();
   options.finer = 1;
-  options.spacing = 0.08;  // so that the patch ends before the room's walls
+  options.spacing = 0.08;  // the patch ends before the room's walls
   options.cycles = 12;
   PreparedField field = prepared_field(room, options);
   const auto [levels, patch_count] = solved_levels(field.snapped, std::move(field.levels), options);

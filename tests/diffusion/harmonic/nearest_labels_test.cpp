@@ -14,7 +14,7 @@
 namespace pomona {
 namespace {
 
-/// How many arms each node is from the nearest that one of its own arms leads from to a surface.
+/// For each node, the number of arms to the nearest node that has an arm to a surface.
 std::vector<int> steps_to_surface(const shapes::GriddedShapes& gridded, const CutArms& arms) {
   std::vector<int> steps(gridded.blocks.node_count(), -1);
   std::deque<Node> waiting;

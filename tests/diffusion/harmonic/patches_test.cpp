@@ -114,7 +114,7 @@ TEST(Patches, StayWithinThoseAroundThem) {
   const Scene scene;
   const PatchNodes outer = patch_around(scene.snapped, scene.seed, scene.lattice, 1, nullptr);
   const Lattice fine = halved(scene.lattice);
-  // A margin that would lead far out of it.
+  // A margin that would reach far out of the lattice.
   const PatchNodes inner = patch_around(pomona::snapped(scene.surfaces, fine), scene.seed, fine, 9, &outer);
   std::size_t members = 0;
   for (const Node& node : shapes::nodes_of(halved(fine))) {

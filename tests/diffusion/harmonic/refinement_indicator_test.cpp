@@ -30,8 +30,8 @@ TEST(Bends, AreNoneWhereColoursAreLinear) {
   for (const float indicator : indicator_of_bricks(grid, 2e-5, {2})) EXPECT_EQ(indicator, 0);
 }
 
-/// Around a small ball the field falls like 1 / r: at a node a cell or so away a indicator of some h^2 / r^2 times its
-/// colour.
+/// Around a small ball the field falls like 1 / r: at nodes about a cell away, the indicator is about h^2 / r^2 times
+/// the ball's colour.
 TEST(Bends, LieAroundWhatIsSmall) {
   const GridLevel grid = solved_grid(shapes::nested_spheres(1, 0.2, 8));
   const std::vector<float> indicator = indicator_of_bricks(grid, 0.02, {2});

@@ -18,7 +18,7 @@
 namespace pomona {
 namespace {
 
-/// Triangles somewhat larger than a cell, about the point that looks.
+/// Triangles somewhat larger than a cell, around the point where the rays start.
 std::vector<SeenTriangle> random_triangles(std::size_t count) {
   const RandomStream random({}, "tests/seen triangles");
   std::uint64_t n = 0;
@@ -36,8 +36,8 @@ std::vector<SeenTriangle> random_triangles(std::size_t count) {
   return all;
 }
 
-/// Fraction of the way and weights of b and c, by Cramer's rule in doubles; nothing for a ray that misses the triangle,
-/// and `is_close` where rounding may decide.
+/// The place on the ray (as a fraction of its length) and the weights of b and c, by Cramer's rule in doubles; nothing
+/// for a ray that misses the triangle. `is_close` where rounding may decide.
 struct ExactHit {
   double fraction = 0, b = 0, c = 0;
   bool is_close = false, hits = false;
@@ -97,7 +97,7 @@ TEST(ShortRays, EndOnTheNearestTriangle) {
 }
 
 TEST(ShortRays, PassNoEdgeBetweenNeighbours) {
-  // Small spheres around the point: their corners and edges lie on the rays where the point is in the cell's middle.
+  // Small spheres around the point: if the point is the cell's middle, their corners and edges lie on the rays.
   const RandomStream random({}, "tests/cells of short rays");
   for (std::uint64_t n = 0; n < 300; n += 3) {
     const glm::vec3 low =
@@ -132,7 +132,7 @@ TEST(ShortRays, FindNothingBeforeAnythingIsMet) {
   for (int k = 0; k < 8; ++k) EXPECT_FALSE(ShortRays(glm::vec3(-0.3f)).hit(k).has_value());
 }
 
-/// The least over a fine net of weights, and twice finer around it.
+/// The min over a fine grid of weights, refined twice around the min.
 double min_distance(const SeenTriangle& t) {
   constexpr int steps = 60;
   double min = std::numeric_limits<double>::infinity();
@@ -148,7 +148,7 @@ double min_distance(const SeenTriangle& t) {
 }
 
 TEST(ShortRays, NearestWeightsAreNoFartherThanAnyOthers) {
-  std::array<int, 8> regions{};  // by which weights are 0
+  std::array<int, 8> regions{};  // counts of triangles, by which weights are 0
   for (const SeenTriangle& t : random_triangles(1000)) {
     const glm::vec3 w = nearest_weights(glm::vec3(0), t.a, t.b, t.c);
     EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-5);

@@ -81,7 +81,7 @@ TEST(SolveField, PutsPatchesAroundSeedsThatAreSmallForTheGrid) {
   const auto with_seed = [](double radius) {
     return joined(shapes::sphere(1, 6), shapes::moved(shapes::sphere(radius, 4), {0.2, 0.1, 0.3}));
   };
-  // At most as often as asked, and only while the seed is thinner than 1.2 cells.
+  // At most as many patches as asked for, and only while the seed is thinner than 1.2 cells.
   EXPECT_EQ(levels_of(with_seed(0.03), options_of(0.1, 2)).patch_count, 2u);
   EXPECT_EQ(levels_of(with_seed(0.03), options_of(0.1, 1)).patch_count, 1u);
   EXPECT_EQ(levels_of(with_seed(0.03), options_of(0.1, 0)).patch_count, 0u);
@@ -91,7 +91,7 @@ TEST(SolveField, PutsPatchesAroundSeedsThatAreSmallForTheGrid) {
   const SolvedLevels field = levels_of(with_seed(0.03), options_of(0.1, 2));
   EXPECT_EQ(field.levels[0].lattice.spacing, field.levels[2].lattice.spacing / 4);
   EXPECT_TRUE(field.levels[0].is_patch && field.levels[1].is_patch && !field.levels[2].is_patch);
-  // Nodes on a patch's border have their values from what is around it.
+  // Nodes on a patch's border take their values from the grid around it.
   for (const std::size_t l : {0u, 1u}) {
     std::size_t given = 0, own = 0;
     for (const std::uint8_t open : field.levels[l].arms.open) {
@@ -103,7 +103,7 @@ TEST(SolveField, PutsPatchesAroundSeedsThatAreSmallForTheGrid) {
   }
 }
 
-/// A grid is limited along x alone, by what a row can hold: a long fruit grows along z.
+/// A grid is limited only along x, by the length of a row. A long fruit extends along z.
 TEST(SolveField, PutsPatchesIntoWhatIsLong) {
   const auto patches_in = [](const glm::dvec3& size) {
     const DiffusionSurfaces body = joined(shapes::box(-size, size), shapes::sphere(0.003, 4));
@@ -114,8 +114,7 @@ TEST(SolveField, PutsPatchesIntoWhatIsLong) {
   EXPECT_EQ(patches_in({2, 0.05, 0.05}), 1u) << "1601 nodes are too many";
 }
 
-/// Between a large ball and a small one in its middle, neither of which is small for the grid, the solution bends at
-/// the small one alone.
+/// A large ball with a smaller one in its middle, neither small for the grid: the solution bends only at the inner one.
 TEST(SolveField, PutsPatchesWhereTheSolutionBends) {
   const DiffusionSurfaces balls = shapes::nested_spheres(1, 0.2, 8);
   GridOptions options = options_of(0.06, 2);
@@ -156,8 +155,8 @@ TEST(SolveField, KeepsEachPatchWithinItsNodes) {
   EXPECT_GT(many, 2 * few);
 }
 
-/// Between a white ball and a black one around it the field is (1 / r - 1) / (1 / inner - 1). \returns how far a solved
-/// one is from that at most, near the inner ball.
+/// Between a white ball and a black one around it the field is (1 / r - 1) / (1 / inner - 1). \returns the max
+/// difference of a solved field from that, near the inner ball.
 double worst_beside_ball(const GridOptions& options) {
   constexpr double inner = 0.12;
   shapes::Paint black, white;
@@ -186,8 +185,8 @@ TEST(SolveField, IsNearerToTheTruthWithPatchesWhereItBends) {
   EXPECT_LT(with, 2.5 / 255);
 }
 
-/// The most bent bricks alone end on the ball's surface: what a border's node there takes lies between the surface and
-/// what it sees beside it.
+/// If only the most bent bricks are refined, patches end on the ball's surface. A border's node there takes a value
+/// between the surface's and that of the node beside it.
 TEST(SolveField, LosesNothingWherePatchesEndBesideSurfaces) {
   GridOptions options = options_of(0.06, 1);
   const double without = worst_beside_ball(options);

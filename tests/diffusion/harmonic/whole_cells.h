@@ -1,4 +1,4 @@
-// All cells' triangles at once, by as many threads as wanted: what a field finds beside other work.
+// The triangles of all cells, found at once by a given number of threads. A field finds them beside other work.
 #pragma once
 
 #include "generator/base/parallel.h"

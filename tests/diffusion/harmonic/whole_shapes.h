@@ -1,4 +1,4 @@
-// Surfaces with their corners on nodes of a lattice, where every decision is a tie, and all that stands on them.
+// Surfaces with their corners on nodes of a lattice, so that every decision is a tie, and the grids around them.
 #pragma once
 
 #include <vector>

@@ -70,7 +70,7 @@ TEST(FrameDistance, FindsTheLeastAmongGroupsAndStopsNoSooner) {
       min = std::min(min, own);
     }
     std::sort(near.begin(), near.end(), [](const NearGroup& a, const NearGroup& b) { return a.distance < b.distance; });
-    // Bounds seen from elsewhere are wrong by the way to there, which `reach` allows for.
+    // Bounds that were computed for another place differ by the distance to it, which `reach` allows for.
     for (const float reach : {1e-6f, 0.3f}) {
       std::vector<NearGroup> bounds = near;
       for (NearGroup& bound : bounds) bound.distance += 0.99f * reach;
@@ -83,7 +83,7 @@ TEST(FrameDistance, LeavesOutGroupsThatAreTooFar) {
   const DiffusionSurfaces surfaces = tangle();
   const TriangleFrames frames = make_triangle_frames(surfaces, make_surface_tree(surfaces));
   const glm::vec3 place(0.2f, 0.1f, 0.3f);
-  // Said to be farther than the first group's distance, the others are not asked.
+  // The other groups are stated to be farther away than the first one's distance, so they are not searched.
   const std::vector<NearGroup> near = {{0, 0}, {5, 1}, {5, 2}};
   const GroupDistances squared = squared_distances(frames.groups[0], place);
   EXPECT_EQ(min_squared_distance(frames.groups.data(), near.data(), 3, 0, place),

@@ -54,7 +54,7 @@ TEST(WalkTally, VarianceIsThatOfTheBatchesResiduals) {
 }
 
 TEST(WalkTally, SaysHowMuchMeansScatter) {
-  // Many tallies of 30 batches each: their means scatter as each says of itself.
+  // Many tallies of 30 batches each: their means scatter by the standard error that each states.
   glm::dvec3 sum(0), squares(0);
   double said = 0;
   constexpr int count = 400;

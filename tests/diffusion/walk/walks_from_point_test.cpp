@@ -33,7 +33,7 @@ TEST(WalksFromPoint, KeepToTheStandardErrorTheyAreAskedFor) {
     EXPECT_GT(walked.standard_error, 0.5 * asked);
     EXPECT_NEAR(walked.color.r, truth, 4 * asked / 255 + 0.02);
     EXPECT_GT(walked.walks, 2 * last) << "four times as many for half the error";
-    // As many as draws of black and white with this chance would take, or fewer.
+    // No more walks than draws of black and white with this probability would need.
     EXPECT_LT(walked.walks, 1.1 * truth * (1 - truth) * (255 / asked) * (255 / asked) + 200);
     EXPECT_EQ(walked.misses, 0u);
     last = walked.walks;
@@ -57,7 +57,7 @@ TEST(WalksFromPoint, DependOnThePlaceAndTheSeedAlone) {
   EXPECT_EQ(walks_from_point(ground, {0, 0.6f, 0}, options).color, first.color);
   EXPECT_EQ(walks_from_point(ground, {-0.0f, 0.6f, -0.0f}, options).color, first.color) << "-0 and 0 are one place";
   EXPECT_NE(walks_from_point(ground, {0, 0.6f, 0}, {.standard_error = 8, .seed = 1}).color, first.color);
-  // Places around the core that turns take to each other: the same truth by other draws.
+  // Rotations map these places around the core to each other: the exact value is the same, the draws differ.
   EXPECT_NE(walks_from_point(ground, {0.6f, 0, 0}, options).color, first.color);
 }
 
@@ -71,8 +71,8 @@ TEST(WalksFromPoint, NameThePartThatMostMeet) {
 }
 
 TEST(WalksFromPoint, EscapeFromClosedSurfacesOnlyOnTheirWayIn) {
-  // Walks from afar count from where they first come within 1.02 radii: one in 51 of them turns back there. All that
-  // they meet is the front.
+  // Walks from far away are counted from where they first come within 1.02 radii; one in 51 of them turns back there.
+  // They meet only the front.
   shapes::Paint paint = evenly(0.25f, "peel");
   paint.back = Color(1);
   const DiffusionSurfaces ball = shapes::sphere(0.1, 12, paint);
@@ -84,7 +84,7 @@ TEST(WalksFromPoint, EscapeFromClosedSurfacesOnlyOnTheirWayIn) {
   EXPECT_NEAR(share, 1 / 1.02, 4 * std::sqrt(0.02 / walked.walks) + 0.005);
 }
 
-/// Between two small balls far from each other hardly a walk meets anything: then one of both halves alone knows a
+/// Between two small balls far from each other hardly a walk meets anything, so that only one of both halves may have a
 /// colour.
 TEST(WalksFromPoint, OfWhichFewMeetAnythingHaveTheColorOfThoseThatDo) {
   shapes::Paint paint = evenly(0.5f, "peel");

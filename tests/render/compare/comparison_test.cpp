@@ -1,4 +1,4 @@
-// When two pictures count as the same: every limit of a tolerance is met from both sides.
+// When two pictures count as the same: tests just below and just above every limit of a tolerance.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ TransparentImage grey() {
   return {Image{100, 100, std::vector<glm::u8vec3>(10000, glm::u8vec3(120))}, std::vector<std::uint8_t>(10000, 255)};
 }
 
-/// So many pixels, far apart from each other, differ by so much in one channel.
+/// A picture in which `spots` pixels, far apart, differ by `difference` in one channel.
 TransparentImage spotted(std::size_t spots, int difference) {
   TransparentImage picture = grey();
   for (std::size_t i = 0; i < spots; ++i) picture.image.pixels[i * 97].b = static_cast<std::uint8_t>(120 + difference);
@@ -65,7 +65,7 @@ TEST(Comparison, CloseForgivesNoPixelThatDiffersByMoreThanThirtyTwo) {
 }
 
 TEST(Comparison, CloseLooksAtFlipToo) {
-  // Three steps of one channel are within the limits pixel by pixel; all over the picture they are seen.
+  // Three steps of one channel are within the limits of a pixel, but visible over the whole picture.
   TransparentImage redder = grey();
   for (glm::u8vec3& pixel : redder.image.pixels) pixel.r = 123;
   const Comparison found = compared(grey(), redder, close_tolerance);

@@ -1,4 +1,4 @@
-// FLIP against the authors' own program, and against what must hold of it.
+// FLIP against the authors' own program, and its required properties.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -61,8 +61,8 @@ double mean_flip(const Paint& reference, const Paint& result, double pixels_per_
   return mean_flip(painted(80, 72, reference), painted(80, 72, result), pixels_per_degree);
 }
 
-// The figures are those of the authors' program (github.com/NVlabs/flip, version 1.6, src/cpp/FLIP.h), computed in
-// double precision; its single precision differs from them in the fifth digit.
+// The figures are from the authors' program (github.com/NVlabs/flip, version 1.6, src/cpp/FLIP.h) in double precision;
+// its single precision differs in the fifth digit.
 constexpr double agreement = 1e-6;
 
 TEST(Flip, AgreesWithTheAuthorsProgramOnFlatColours) {
@@ -106,7 +106,7 @@ TEST(Flip, DoesNotDependOnThreadsOrBands) {
   alone.threads.count = 1;
   EXPECT_EQ(flip(one, other, alone).error, flip(one, other).error);
 
-  // What lies far away does not matter: rows of another band are the same with and without those below them.
+  // Distant pixels do not matter: the rows of a band are the same with and without the rows below.
   const Image upper_one = painted(50, 100, ramp), upper_other = painted(50, 100, swapped_ramp);
   const FlipMap whole = flip(one, other), upper = flip(upper_one, upper_other);
   for (std::size_t i = 0; i < 50u * 80u; ++i) ASSERT_EQ(whole.error[i], upper.error[i]) << i;

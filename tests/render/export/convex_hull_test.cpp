@@ -15,7 +15,7 @@ namespace {
 
 double volume_of(const ConvexHull& hull) { return moments_of(hull.position, hull.triangle, {}).mass; }
 
-/// Closed, and no vertex in front of any face.
+/// The hull is closed, and no vertex is in front of any face.
 void expect_convex(const ConvexHull& hull) {
   std::map<std::pair<unsigned, unsigned>, int> edges;
   for (const glm::uvec3& t : hull.triangle) {
@@ -30,7 +30,7 @@ void expect_convex(const ConvexHull& hull) {
   for (const auto& [edge, sum] : edges) EXPECT_EQ(sum, 0);
 }
 
-/// Every third of a centimetre on the surface of a box of 2 x 3 x 4 cm, and within.
+/// Points at a distance of a third of a centimetre on and in a box of 2 x 3 x 4 cm.
 std::vector<glm::vec3> grid() {
   std::vector<glm::vec3> points;
   for (int x = 0; x <= 6; ++x)
@@ -93,7 +93,7 @@ TEST(ConvexHull, OfWhatIsFlatOrNothingIsEmpty) {
   EXPECT_TRUE(convex_hull(flat).triangle.empty());
 }
 
-/// Its rough hull begins with what lies farthest along the axes, however much farther other points stand out of that.
+/// The coarse hull starts with the farthest points along the axes, even if other points are farther out.
 TEST(ConvexHull, OfFewVerticesReachesAsFarAsThePointsAlongEveryAxis) {
   for (int thin = 0; thin < 3; ++thin) {
     std::vector<glm::vec3> points = named::ball("ball", 0.1f, 12, Color(0.5f)).mesh.position;

@@ -1,4 +1,4 @@
-// What a cut leaves in files: pieces that touched have the same colours and parts where they did, and a hollow is one.
+// Cuts in files: pieces have equal colours and parts where they touched, and a hollow stays hollow.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -46,7 +46,7 @@ struct Sample {
     const auto diffuser = make_pmvc_diffuser({.quality = Quality::draft, .threads = {}});
     return shapes::sliced(surfaces, knives, fruit, diffuser.get());
   }
-  /// Of no known origin, so that files keep the fruit's frame, to the bit.
+  /// Without an origin, so that files keep the fruit's frame, to the bit.
   Scene pieces(const std::vector<std::string>& words) const {
     Scene scene = gathered(sliced_by(words).pieces);
     for (Solid& solid : scene.solids) solid.origin = {};
@@ -54,7 +54,7 @@ struct Sample {
   }
 };
 
-/// With grain in its colours, as a picture would show it.
+/// The sample with noise in its colours, as in a picture.
 Sample seeded() {
   Sample sample{shapes::seeded_fruit(), {}};
   sample.fruit.parts = sample.surfaces.part_names;
@@ -63,7 +63,7 @@ Sample seeded() {
   return sample;
 }
 
-/// What vertices look like on a cut face that looks along `normal`, place by place.
+/// The looks of vertices by place, on the cut face that faces `normal`.
 using Looks = std::map<Place, std::set<Look>>;
 
 struct Vertex {
@@ -155,7 +155,7 @@ TEST(CutFiles, FacesOfTwoKnivesAgreeToTheBitWhereTheyMeet) {
 }
 
 /// The same place with and without another cut. Only some vertices are at the same place; their colours are summed
-/// together with those of other neighbours, so the last bits differ: by 0.0004 of 255 where this was written.
+/// together with other neighbours, so the last bits differ: by 0.0004 of 255 when this was written.
 TEST(CutFiles, ASecondKnifeHardlyChangesAColourOfTheFirst) {
   const Sample sample = seeded();
   const CrossSection alone = sample.sliced_by({"half"}).section;
@@ -176,7 +176,7 @@ TEST(CutFiles, ASecondKnifeHardlyChangesAColourOfTheFirst) {
   EXPECT_LT(worst, 1e-5f) << "of 1";
 }
 
-/// The pepper's cavity: what its shell encloses less the cavity is what all pieces weigh together.
+/// The pepper's cavity: the volume of its shell minus the cavity is the volume of all pieces.
 TEST(CutFiles, APeppersHollowStaysHollow) {
   const Template pepper = read_template(std::filesystem::path(POMONA_SOURCE_DIR) / "templates/pepper.toml");
   GrowOptions how;
@@ -199,7 +199,7 @@ TEST(CutFiles, APeppersHollowStaysHollow) {
     volume += mesh.volume;
     const auto flesh = std::find(mesh.part_names.begin(), mesh.part_names.end(), "flesh") - mesh.part_names.begin();
 
-    // The cavity's wall is flesh, and looks into the hollow: towards the axis.
+    // The cavity's wall is flesh and faces the hollow, towards the axis.
     int wall = 0;
     for (std::size_t v = 0; v < mesh.position.size(); ++v) {
       const glm::vec2 out(mesh.position[v].x, mesh.position[v].z), way(mesh.normal[v].x, mesh.normal[v].z);
@@ -212,7 +212,7 @@ TEST(CutFiles, APeppersHollowStaysHollow) {
   EXPECT_GE(with_wall, 4);
 }
 
-/// Every vertex of a section and of a skin says its part, the same in all files.
+/// Every vertex of a section and of a skin has its part, the same in all files.
 TEST(CutFiles, VerticesSayTheirPart) {
   const Scene scene = seeded().pieces({"half"});
   const named::Glb glb = named::read_glb(write_glb(scene));
@@ -224,7 +224,7 @@ TEST(CutFiles, VerticesSayTheirPart) {
   for (const named::GlbMesh& mesh : glb.meshes) {
     for (std::size_t v = 0; v < mesh.position.size(); ++v) {
       in_glb.insert(mesh.part_names.at(static_cast<std::size_t>(mesh.part[v])));
-      // The skin is bumpy, and reaches farther out than anything.
+      // The skin is bumpy and farther out than everything else.
       if (glm::length(mesh.position[v]) <= 0.043f) continue;
       EXPECT_EQ(mesh.part[v], skin_part(mesh.part_names));
     }

@@ -29,7 +29,7 @@ TEST(Gltf, ReadsBackAsItWas) {
   EXPECT_EQ(glb.provenance, "pomona cut tomato");
   EXPECT_DOUBLE_EQ(glb.vertical_field, scene.view.vertical_field);
 
-  // Corner by corner of every triangle: the welding may renumber, not change.
+  // Compare every corner of every triangle: welding may renumber vertices but not change them.
   const Solid& box = scene.solids[0];
   const named::GlbMesh& mesh = glb.meshes[0];
   EXPECT_EQ(mesh.name, "box");
@@ -60,7 +60,7 @@ TEST(Gltf, SharesAMeshBetweenInstancesAndKeepsTheirPoses) {
 }
 
 TEST(Gltf, LevelsAreNodesOutsideTheSceneInTheirInstancesPlaces) {
-  // Of the box two levels, of the leaf none, of the see-through ball one.
+  // Two levels of the box, none of the leaf, one of the transparent ball.
   const Scene scene = named::mixed();
   std::vector<std::vector<Solid>> levels(scene.solids.size());
   levels[0] = {scene.solids[0], scene.solids[0]};
@@ -124,7 +124,7 @@ TEST(Gltf, IndicesAreAsNarrowAsTheyCanBe) {
   EXPECT_EQ(named::read_glb(write_glb(scene)).meshes[1].index_bytes, 4);
 }
 
-/// A strip of so many vertices, all of them apart.
+/// A strip of `vertices` separate vertices.
 Solid strip(std::uint32_t vertices) {
   Solid solid = named::ball("strip", 0.1f, 1, Color(0.5f));
   solid.mesh.position.clear();
@@ -158,10 +158,10 @@ TEST(Gltf, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(write_glb(scene, {.threads = {1}}), write_glb(scene, {.threads = {2}}));
 }
 
-/// What comes one after another: by threes, by itself, from the disk or not.
+/// Solids in groups of three or one by one, spooled to disk or not.
 class GltfStream : public testing::TestWithParam<std::size_t> {
  protected:
-  /// \param add adds the scene's solids from `first` on, so many.
+  /// \param add adds `count` of the scene's solids from `first` on.
   template <typename Add>
   std::string streamed(const Scene& scene, const Add& add, const ExportOptions& options = {}) const {
     const TemporaryFolder folder;
@@ -238,7 +238,7 @@ TEST(Gltf, TexturesTakeThePlaceOfVertexColours) {
   }
 }
 
-/// The file's JSON: it lies before the buffer, in plain text.
+/// The file's JSON: plain text before the buffer.
 std::string json_of(const std::string& glb) { return glb.substr(20, glb.find(std::string("BIN\0", 4)) - 24); }
 Json parsed(const std::string& glb) { return Json::parse(json_of(glb)); }
 
@@ -342,8 +342,7 @@ TEST(Gltf, AFruitsPiecesShareItsMaterialsByName) {
   for (Solid& solid : scene.solids) solid.own_look().on_skin = {1, 0};
   EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi skin", "kiwi flesh"));
 
-  // Of a part that the skin shows, too, the cut face is another look; looks that many parts have are named by the
-  // place.
+  // The cut face of a part that the skin also shows is another look. A look of several parts is named by its place.
   for (Solid& solid : scene.solids) solid.own_look().on_skin = {1, 1};
   EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi skin", "kiwi flesh cut"));
   for (Solid& solid : scene.solids) solid.own_look().materials.assign(2, solid.look->materials[1]);
@@ -429,7 +428,7 @@ TEST(Gltf, TellsLightUnderTheSurfaceBesideTexturesAlone) {
   EXPECT_NEAR(inside["radius"][0].get<double>(), 0.004, 1e-9);
   EXPECT_NEAR(inside["radius"][1].get<double>(), 0.002, 1e-9);
 
-  // Light that goes straight through is an extension that files had no use for before.
+  // Straight transmission needs an extension that the files did not use yet.
   flesh.transmission = 0.25;
   EXPECT_THAT(json_of(write_glb(scene)), testing::HasSubstr("KHR_materials_transmission"));
 }
@@ -467,7 +466,7 @@ TEST(Gltf, HasMapsInTheirSlotsWhereTheyWereBaked) {
   EXPECT_FALSE(color["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
 }
 
-/// A corner of a cut face belongs to a dry part, of the same colour: the film of the rest ends there, softly.
+/// A corner of a cut face belongs to a dry part of the same colour: there the film of juice ends softly.
 TEST(Gltf, SaysWhereAFilmOfJuiceEnds) {
   Scene scene = named::with_materials();
   Solid& box = scene.solids[0];
@@ -573,7 +572,7 @@ TEST(Gltf, LongerHairsAreABrighterSheen) {
   EXPECT_LT(before, 1);
 }
 
-/// Of hulls, too, which have nothing but positions.
+/// Also of hulls, which only have positions.
 TEST(Gltf, AccessorsLieWithinTheirViewsAndTheseWithinTheFile) {
   const std::map<std::string, std::size_t> numbers{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
   const std::map<int, std::size_t> bytes{{5120, 1}, {5121, 1}, {5122, 2}, {5123, 2}, {5125, 4}, {5126, 4}};

@@ -26,7 +26,7 @@ std::vector<SceneStroke> strokes() {
   return scene_strokes(testing::still_life(), style, size);
 }
 
-/// All numbers of a text, whatever stands between them.
+/// All numbers in a text.
 std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> numbers;
   for (const char* at = text.c_str(); *at != '\0';) {
@@ -50,8 +50,7 @@ std::string between(const std::string& text, const std::string& start, const std
   return text.substr(first + start.size(), last - first - start.size());
 }
 
-/// The places at which a path's curves and round ends begin and end: all that stroke_outline() writes is "M", "C" and
-/// "A".
+/// The ends of a path's curves and round caps: stroke_outline() writes only "M", "C" and "A".
 std::vector<glm::dvec2> nodes_of(const std::string& path) {
   std::vector<glm::dvec2> nodes;
   for (std::size_t at = 0; at < path.size();) {
@@ -64,7 +63,7 @@ std::vector<glm::dvec2> nodes_of(const std::string& path) {
   return nodes;
 }
 
-/// Of all paths of a layer.
+/// The nodes of all paths of a layer.
 std::vector<glm::dvec2> points_of_layer(const std::string& svg, const std::string& id) {
   const std::size_t start = svg.find("<g id=\"" + id + "\"");
   EXPECT_NE(start, std::string::npos) << id;
@@ -95,7 +94,7 @@ TEST(InkInSvg, EachStrokeEndsWhereItDoesInThePictureAndNothingElseIsDrawn) {
     }
   }
 
-  // The other way round: nothing is drawn beside all strokes.
+  // Conversely: nothing is drawn beside the strokes.
   const Scene scene = testing::still_life();
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     std::vector<glm::dvec2> middles;
@@ -165,7 +164,7 @@ TEST(InkInPov, RibbonsRunAlongTheStrokesOfThePicture) {
   ASSERT_EQ(ribbons.places.size(), places);
   EXPECT_EQ(ribbons.triangles, triangles);
 
-  // Two places a point of a stroke, one to each side.
+  // Two places for each point of a stroke, one on each side.
   const Lens lens(scene.view, size.width, size.height);
   std::vector<glm::dvec2> middles;
   for (std::size_t i = 0; i + 1 < ribbons.places.size(); i += 2) {
@@ -176,7 +175,7 @@ TEST(InkInPov, RibbonsRunAlongTheStrokesOfThePicture) {
   }
 }
 
-/// However a stroke bends: its ribbon goes across it, and is as wide.
+/// The ribbon is perpendicular to the stroke and as wide, at any bend.
 TEST(InkInPov, RibbonsAreAsWideAsTheStrokesOfThePicture) {
   const std::vector<StrokePoint> bent{{.at = {100, 100}, .radius = 2},
                                       {.at = {140, 120}, .radius = 3},
@@ -223,8 +222,8 @@ TEST(MarksInSvg, AreALayerWhereThereAreAnyAndElseNone) {
   EXPECT_EQ(numbers_in(between(svg, "<circle", "/>", at)), (std::vector<double>{50.25, 60, 2}));
 }
 
-/// Each patch is "Mx yldx dy dx dyz" in tenths of a pixel: together they are as large as their face, once in coarse
-/// patches and once in finer ones above these.
+/// Each patch is "Mx yldx dy dx dyz" in tenths of a pixel. Their total area is that of the face, once in coarse patches
+/// and once in finer ones above.
 TEST(PatchesInSvg, AreAsLargeAsTheirFace) {
   const CrossSection disc = testing::disc_section(1);
   const SectionPictureOptions paper{.width = 320, .height = 240};

@@ -27,12 +27,12 @@ Solid named(const std::string& name) {
   return solid;
 }
 
-/// One face of an octahedron in n^2 triangles, blown up to a sphere.
+/// One face of an octahedron in n^2 triangles, projected onto a sphere.
 void add_octant(Solid& solid, const std::array<glm::vec3, 3>& corner, float radius, int n, const Color& color) {
   const auto first = static_cast<std::uint32_t>(solid.mesh.position.size());
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n - i; ++j) {
-      // Whole numbers first: neighbouring octants then agree to the bit where they meet.
+      // Use whole numbers first, so that neighbouring octants agree to the bit where they meet.
       const glm::vec3 whole = corner[0] * static_cast<float>(n - i - j) + corner[1] * static_cast<float>(i) +
                               corner[2] * static_cast<float>(j);
       const glm::vec3 direction = glm::normalize(whole) + 0.0f;
@@ -105,7 +105,7 @@ Scene axes_of_balls() {
   const float radius = 0.02f;
   scene.solids = {ball("grey", radius, 8, Color(0.3f)), ball("red", radius, 8, {0.7f, 0.02f, 0.02f}),
                   ball("green", radius, 8, {0.02f, 0.6f, 0.02f}), ball("blue", radius, 8, {0.02f, 0.03f, 0.7f})};
-  // A quarter turn about +Y in each, which a ball cannot show but a wrong matrix can.
+  // Each has a quarter turn about +Y: invisible on a ball, but not with a wrong matrix.
   const double half = 0.70710678118654752;
   const glm::dquat turned(half, 0, half, 0);
   scene.instances = {{0, {}, "grey"},

@@ -1,4 +1,4 @@
-// Solids and scenes for the tests of exporters: small, asymmetric, and known by heart.
+// Solids and scenes for the tests of exporters: small, asymmetric, and simple.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ Solid box(const std::string& name, const glm::vec3& low, const glm::vec3& high, 
 /// A sphere of 8 n^2 triangles around the origin, of one colour.
 Solid ball(const std::string& name, float radius, int n, const Color& color);
 
-/// A triangle that shows both sides: open.
+/// An open triangle, visible from both sides.
 Solid leaf(const std::string& name, const Color& color);
 
 /// Balls at the origin (grey), +X (red), +Y (green), +Z (blue), on the scale of a fruit, seen from the front right

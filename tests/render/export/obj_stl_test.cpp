@@ -51,7 +51,7 @@ TEST(Stl, HoldsTheVolumesInMillimetres) {
   EXPECT_NE(stl.substr(0, 5), "solid") << "readers would take it for ASCII";
 }
 
-/// To the bit those of the corners that the file holds, which are rounded: not of the places they were rounded from.
+/// Normals are to the bit those of the rounded corners in the file, not of the places before rounding.
 TEST(Stl, HasTheNormalsOfItsCorners) {
   const std::string stl = write_stl(gathered({named::ball("ball", 0.0371f, 12, Color(0.5f))}));
   for (std::uint32_t t = 0; t < value_at<std::uint32_t>(stl, 80); ++t) {
@@ -89,7 +89,7 @@ TEST(Obj, ReadsBackAsItWas) {
   }
 }
 
-/// Told from what is to be written, before any of it is.
+/// The error comes before anything is written.
 TEST(Stl, RefusesMoreTrianglesThanItCanCount) {
   Scene scene;
   scene.solids = {named::leaf("leaf", Color(0.5f))};

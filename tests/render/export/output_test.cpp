@@ -80,7 +80,7 @@ TEST_F(Output, AFolderIsNoFile) {
 
 TEST_F(Output, AFullDiskLeavesTheOldFileAndNoRemains) {
   write_whole(folder_ / "a", "old");
-  // A limit on the size of files stands in for a full disk: write() fails half-way.
+  // A limit of file sizes replaces a full disk: write() fails half-way.
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   rlimit small = before;
@@ -125,7 +125,7 @@ TEST_F(Output, KeepsWhatIsPrivatePrivate) {
   EXPECT_EQ(fs::status(folder_ / "a").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
-/// A later run must not act on what others have put where all may write.
+/// A later run must not use journals that other users may have written.
 TEST_F(Output, LeavesJournalsAloneThatOthersCanWrite) {
   Journal journal;
   journal.entries.push_back({"victim", 0, true});

@@ -52,7 +52,7 @@ TEST(Pov, TexturesAreSharedAndBounded) {
   scene.solids = {named::ball("ball", 0.05f, 20, Color(0.5f))};
   EXPECT_THAT(write_pov(scene, "x")[1].bytes, HasSubstr("texture_list{1,"));
 
-  // A different colour at every vertex: no more than POV-Ray's memory should bear.
+  // A different colour at every vertex: the number of textures stays within the limit for POV-Ray's memory.
   Solid& ball = scene.solids[0];
   for (std::size_t v = 0; v < ball.mesh.color.size(); ++v) ball.mesh.color[v] = 0.5f + 10.0f * ball.mesh.position[v];
   scene.solids[0] = ball;
@@ -77,7 +77,7 @@ TEST(PovPalette, KeepsColoursWhereTheyAreFewAndElsewhereTakesNearOnes) {
   const std::vector<pov::FinishedColor> few{{0, 0, 0, 0}, {252, 0, 0, 0}, {252, 0, 0, 1}};
   EXPECT_EQ(pov::few_colors(few, 3), few);
 
-  // A cube of colours, one of them far off: it stays what it is, and the others move by no more than a box.
+  // A cube of colours and a distant one: the distant one stays, and the others move by at most a box.
   std::vector<pov::FinishedColor> many{{252, 252, 252, 0}};
   for (int r = 0; r < 16; ++r)
     for (int g = 0; g < 16; ++g)
@@ -88,12 +88,12 @@ TEST(PovPalette, KeepsColoursWhereTheyAreFewAndElsewhereTakesNearOnes) {
   for (std::size_t i = 0; i < many.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) EXPECT_LE(std::abs(taken[i][k] - many[i][k]), 4);
 
-  // Finishes are never mixed, even where that takes more.
+  // Finishes are never mixed, even if that needs more textures.
   const std::vector<pov::FinishedColor> finishes = pov::few_colors({{9, 9, 9, 0}, {9, 9, 9, 1}, {9, 9, 9, 2}}, 1);
   EXPECT_EQ(std::set(finishes.begin(), finishes.end()).size(), 3u);
 }
 
-// POV-Ray 3.7 reads other letters than those of ASCII as blanks.
+// POV-Ray 3.7 reads letters beyond ASCII as blanks.
 TEST(Pov, TheIncludesNameIsAscii) {
   const std::vector<NamedFile> files = write_pov(named::axes_of_balls(),
                                                  "p\xc3\xaa"
@@ -117,7 +117,7 @@ TEST(Pov, NamesCannotBreakOut) {
   EXPECT_THAT(files[1].bytes, HasSubstr("// a #error \"b\"\n"));
 }
 
-/// The three numbers that follow a word, from a place on.
+/// The three numbers after a word, searched from an offset on.
 glm::dvec3 vector_after(const std::string& text, const std::string& word, std::size_t from = 0) {
   glm::dvec3 v(0);
   const char* at = text.c_str() + text.find('<', text.find(word, from)) + 1;
@@ -137,7 +137,7 @@ Style lit_from(double azimuth, double elevation) {
 }
 
 TEST(Pov, TheLightComesFromWhereTheStyleHasIt) {
-  // From the front, a little above: right is +X, behind the one who looks +Z.
+  // From the front, slightly above: +X is right, +Z is behind the camera.
   Scene scene = named::axes_of_balls();
   scene.view.target = {0.01, 0.02, 0.03};
   scene.view.eye = scene.view.target + glm::dvec3(0, 0.3, 0.4);
@@ -196,8 +196,7 @@ TEST(Pov, EachMaterialHasAFinish) {
   EXPECT_THAT(plain[1].bytes, Not(HasSubstr("Finish_")));
 }
 
-/// The box's cut face is number 0, its first: it has the finish of what is cut and not that of a skin, although both
-/// are of one part.
+/// The box's cut face, number 0, has the finish of flesh and not that of skin, although both are of one part.
 TEST(Pov, TheFirstCutFaceHasTheFinishOfFlesh) {
   Scene scene = named::with_materials();
   scene.solids[0].mesh.part.assign(scene.solids[0].mesh.part.size(), 0);
@@ -250,7 +249,7 @@ TEST(Pov, TheUnitFitsTheView) {
   EXPECT_THAT(write_pov(scene, "x")[0].bytes, HasSubstr("a unit is 1e1 metres"));
 }
 
-/// "minus" in the file says why: POV-Ray's own frame is left-handed.
+/// POV-Ray's own frame is left-handed, hence the minus in the file.
 TEST(Pov, TheCameraSeesTheFieldAndIsRightHanded) {
   Scene scene = named::axes_of_balls();
   for (const double field : {0.2, 0.5, 1.0}) {
@@ -278,7 +277,7 @@ TEST(Pov, ListsHaveAsManyEntriesAsTheySayWithCommasBetween) {
     auto place = meshes.cbegin() + at->position() + at->length();
     std::size_t entries = 0;
     std::smatch found;
-    // A line at a time: a whole list is too much for std::regex.
+    // One line at a time: a whole list is too long for std::regex.
     while (place != meshes.cend() && *place == ',') {
       const auto stop = std::find(std::find(place, meshes.cend(), '<'), meshes.cend(), '\n');
       const std::string line(place, stop);
@@ -294,7 +293,7 @@ TEST(Pov, ListsHaveAsManyEntriesAsTheySayWithCommasBetween) {
   EXPECT_GE(lists, 5u);
 }
 
-/// A shadow as white as the paper takes nothing from it, and nothing is divided by that.
+/// A shadow as white as the paper changes nothing, and causes no division by zero.
 TEST(Pov, AWhiteShadowLeavesTheGroundItsNumbers) {
   Scene scene = named::mixed();
   Style style;

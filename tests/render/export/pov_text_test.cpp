@@ -1,4 +1,4 @@
-// Numbers as POV-Ray's meshes hold them: whole ones, times a power of ten.
+// Numbers of POV-Ray's meshes: integers times a power of ten.
 #include <cmath>
 #include <string>
 

@@ -1,4 +1,4 @@
-// Reads a .glb back as another program would.
+// Reads a .glb as another program would.
 #pragma once
 
 #include <map>
@@ -14,8 +14,8 @@ namespace pomona::named {
 struct GlbMesh {
   std::string name;
   std::vector<glm::vec3> position, normal;
-  std::vector<glm::vec3> color;  ///< of vertices, if there
-  std::vector<glm::vec2> uv;     ///< if there
+  std::vector<glm::vec3> color;  ///< of vertices; may be empty
+  std::vector<glm::vec2> uv;     ///< may be empty
   std::vector<glm::u8vec3> texture;
   int texture_side = 0;
   std::vector<int> part;
@@ -33,7 +33,7 @@ struct GlbNode {
   int camera = -1;
   glm::dmat4 matrix{1};
   bool is_in_scene = false;
-  std::vector<int> levels;              ///< nodes that MSFT_lod names
+  std::vector<int> levels;              ///< the nodes named by MSFT_lod
   std::vector<double> screen_coverage;  ///< MSFT_screencoverage
 };
 
@@ -45,7 +45,7 @@ struct Glb {
   std::vector<std::string> extensions_used, extensions_required;
 };
 
-/// \throws std::runtime_error with what the reader says.
+/// \throws std::runtime_error with the reader's message.
 Glb read_glb(const std::string& bytes);
 
 }  // namespace pomona::named

@@ -94,7 +94,7 @@ TEST(StyledMesh, TrianglesThatUseAVertexTwiceAreLeftOut) {
   EXPECT_EQ(styled(ball).triangle.size(), before);
 }
 
-/// One place may lie at two of a texture: a seam runs through it.
+/// A vertex on a seam has two places in the texture.
 TEST(StyledMesh, VerticesAtTwoPlacesOfATextureAreTwo) {
   Solid twice = named::leaf("leaf", Color(0.5f));
   twice.mesh.position.insert(twice.mesh.position.end(),

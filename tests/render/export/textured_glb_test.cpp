@@ -1,4 +1,4 @@
-// A textured .glb, read back and drawn flat, looks like the picture of the section.
+// A textured .glb, read and drawn flat, equals the picture of the section.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr int side = 256;
 
-/// A seeded fruit in two, its section as fine as one likes.
+/// The halves of a seeded fruit, with a section of any fineness.
 struct Halves {
   DiffusionSurfaces surfaces = shapes::seeded_fruit();
   Template fruit;
@@ -42,7 +42,7 @@ struct Halves {
     return colored(cut(surfaces, knives, options).section, surfaces, *diffuser);
   }
 
-  /// Of no known origin, so that files keep the fruit's frame.
+  /// Without an origin, so that files keep the fruit's frame.
   Scene pieces() const {
     Scene scene =
         gathered(shapes::sliced(surfaces, knives, fruit, diffuser.get(), {.keep_section_colors = true}).pieces);
@@ -51,7 +51,7 @@ struct Halves {
   }
 };
 
-/// Level 0 of a texture in linear light, looked up as a graphics card does.
+/// Level 0 of a texture in linear light, interpolated as by a graphics card.
 Color looked_up(const named::GlbMesh& mesh, const glm::dvec2& uv) {
   const int height = static_cast<int>(mesh.texture.size()) / mesh.texture_side;
   const glm::dvec2 at = uv * glm::dvec2(mesh.texture_side, height) - 0.5;
@@ -76,7 +76,7 @@ bool lies_on(const PlacedFace& face, const glm::dvec3& toward, const named::GlbM
   return glm::dot(glm::dvec3(mesh.normal[t.x]), toward) > 0.999;
 }
 
-/// All triangles of the file that lie on the section and face as it does, at 4 x 4 samples a pixel.
+/// All triangles of the file that lie on the section and face the same way, with 4 x 4 samples per pixel.
 std::vector<Pixel> drawn_flat(const named::Glb& glb, const PlacedFace& face) {
   const glm::dvec3 toward = glm::cross(face.right, face.up);
   std::vector<Pixel> pixels(static_cast<std::size_t>(side) * side);
@@ -130,7 +130,7 @@ double difference_in(const Style& style) {
   options.width = options.height = side;
   const Image picture = draw_section(fine, {halves.fruit.noise}, halves.fruit.ink, style, options);
   Scene scene = halves.pieces();
-  scene.solids.resize(1), scene.instances.resize(1);  // the half that shows the face as the picture does
+  scene.solids.resize(1), scene.instances.resize(1);  // the half that faces as in the picture
   const std::vector<BakedSolid> textured = all_baked(scene.solids, style, {.texels = 1024});
   const named::Glb glb = named::read_glb(write_glb(scene, textured));
   const double difference = rms(drawn_flat(glb, lay_out(fine, {side, side}, 0.05 * side).front()), picture);
@@ -144,7 +144,7 @@ TEST(TexturedGlb, LooksLikeThePictureOfTheSection) {
 
 TEST(TexturedGlb, HasTheInkOfThePicture) { EXPECT_LT(difference_in(style_named("ink")), 2.5) << "of 255, RMS"; }
 
-/// Of the texels on flat cut faces: how light they are, 0..1, and whether they lie within two texels of the face's rim.
+/// Statistics of the texels on flat cut faces: lightness, 0..1, within two texels of the rim and elsewhere.
 struct FaceTexels {
   std::vector<double> at_rim;
   double darkest_inside = 1;  ///< of the others
@@ -180,9 +180,9 @@ FaceTexels face_texels(const BakedSolid& baked) {
   return found;
 }
 
-/// The share of texels along the rims that are darker than all that lies on either side of it.
+/// The share of texels along the rims that are darker than everything on both sides.
 double dark_at_rim(const Style& style) {
-  Halves halves;  // keeps the diffuser that textures ask
+  Halves halves;  // owns the diffuser that the textures use
   const Scene scene = halves.pieces();
   double darkest_skin = 1;
   const Solid& half = scene.solids.front();
@@ -214,8 +214,8 @@ TEST(TexturedGlb, HasThePaintOfThePicture) {
   EXPECT_LT(difference_in(style), 1.0) << "of 255, RMS";
 }
 
-/// In the middles of triangles of a bowl, and of the ball that was in it, that are larger than a few texels, the
-/// texture has the colour that is diffused there.
+/// In the middles of triangles larger than a few texels, of a bowl and of the ball cut from it, the texture has the
+/// diffused colour.
 TEST(TexturedGlb, CurvedFacesHaveTheColoursOfTheirPlaces) {
   const glm::dvec3 center(0.028, 0.006, 0.01);
   const double radius = 0.02;

@@ -1,4 +1,4 @@
-// USD as text; tests/programs/usd_test.mjs has another program read it.
+// USD as text; in tests/programs/usd_test.mjs another program reads it.
 #include "render/export/usd/write_usda.h"
 
 #include <gmock/gmock.h>
@@ -103,7 +103,7 @@ TEST(Usda, SaysMassAndLabels) {
   EXPECT_THAT(text, HasSubstr("string command = \"pomona cut kiwi --seed 0 --index 0 --knife half --piece 2"));
 }
 
-/// The scene's solids on atlases of a texel each.
+/// The scene's solids, each with an atlas of one texel.
 std::vector<BakedSolid> on_atlases(const Scene& scene) {
   std::vector<BakedSolid> baked;
   for (const Solid& solid : scene.solids) {
@@ -120,7 +120,7 @@ TEST(Usda, ColoursInTexturesAreChosenByVariants) {
   const std::vector<TextureVariant> variants{{"ripeness 0.2", baked}, {"ripeness 1.8", baked}};
   const UsdaFiles plain = write_usda(scene, baked, "dish"), chosen = write_usda(scene, baked, "dish", {}, {}, variants);
 
-  // A texture for each solid that has triangles, and each ripeness; none of the vertices has a colour.
+  // A texture for each solid with triangles and each ripeness; vertices have no colours.
   const std::size_t solids = occurrences(plain.text, "def Mesh ");
   ASSERT_GE(solids, 1u);
   EXPECT_EQ(plain.textures.size(), solids);
@@ -131,7 +131,7 @@ TEST(Usda, ColoursInTexturesAreChosenByVariants) {
   for (const UsdaFiles& files : {plain, chosen})
     for (const NamedFile& file : files.textures) EXPECT_THAT(files.text, HasSubstr("@./" + file.name + "@"));
 
-  // What a prim says itself goes before its variants: with variants, they alone name files.
+  // A prim's own values win over its variants: so with variants only these name files.
   EXPECT_EQ(occurrences(plain.text, "variantSet "), 0u);
   EXPECT_EQ(occurrences(chosen.text, "variantSet \"ripeness\" = {"), solids);
   EXPECT_EQ(occurrences(chosen.text, "\"ripeness_1_8\" {"), solids);
@@ -168,7 +168,7 @@ TEST(Usda, BracesEndWhereTheirLinesBegan) {
       open.pop_back();
       ++pairs;
     }
-    // USD has the brace on a line of its own below what it belongs to, except of variants.
+    // In USD the brace is on its own line below its owner, except for variants.
     if (line.back() == '{') open.push_back(indent);
   }
   EXPECT_TRUE(open.empty());
