@@ -1,6 +1,7 @@
 // Grains of a template: seeds and the like, scattered over a surface.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct GrainGround {
 
 /// The distances between grains.
 struct GrainSpacing {
+  std::optional<int> law;       ///< index into Template::laws: grains sit at its seats, and the rest does not count
   double poisson_radius = 0;    ///< metres: two centres are no nearer than the mean of both grains' spacings
   bool any_facing = false;      ///< also if they face different ways
   std::vector<int> apart_from;  ///< earlier ones of Template::grains whose centres keep the same distance
@@ -47,10 +49,11 @@ enum class GrainShape {
 
 struct GrainForm {
   GrainShape shape = GrainShape::ellipsoid;
-  double pointedness = 0;                       ///< 0 = the shape itself, 1 = a drop with its tip at the +length end
-  double length = 0, width = 0, thickness = 0;  ///< full axes of the grain, metres
-  double size_jitter = 0;                       ///< random variation of the size, as a share, 0..0.9
-  double length_jitter = 0, width_jitter = 0;   ///< further random variation of length and width, as shares, 0..0.9
+  double pointedness = 0;                         ///< 0 = the shape itself, 1 = a drop with its tip at the +length end
+  double length = 0, width = 0, thickness = 0;    ///< full axes of the grain, metres
+  Ramp<double> size = Ramp<double>::constant(1);  ///< factor of the sizes by the share of the surface's vertical curve
+  double size_jitter = 0;                         ///< random variation of the size, as a share, 0..0.9
+  double length_jitter = 0, width_jitter = 0;     ///< further random variation of length and width, as shares, 0..0.9
   int around = 8, along = 6;
 };
 
@@ -85,7 +88,7 @@ struct GrainCore {
   double blur = 0;
 };
 
-/// Grains (seeds) scattered by dart throwing over one surface (paper, section 4, step 2).
+/// Grains (seeds) over one surface: scattered by dart throwing (paper, section 4, step 2), or at the seats of a law.
 struct GrainSketch {
   std::string name;
   int surface = 0;       ///< index into Template::surfaces

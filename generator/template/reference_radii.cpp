@@ -79,6 +79,13 @@ ReferenceRadii in_fold_reference(const SurfaceSketch& surface) {
 
 }  // namespace
 
+bool AxisOffset::is_zero() const {
+  const auto is_nothing = [](const Ramp<double>& ramp) {
+    return std::all_of(ramp.stops.begin(), ramp.stops.end(), [](const auto& stop) { return stop.value == 0; });
+  };
+  return is_nothing(x) && is_nothing(z);
+}
+
 ReferenceRadii reference_radii(const SurfaceSketch& surface) {
   if (surface.reference) return *surface.reference;
   if (surface.type == SurfaceType::in_fold) return in_fold_reference(surface);

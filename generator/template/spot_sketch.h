@@ -13,11 +13,12 @@ struct PatchPlace {
   double azimuth = 0;  ///< radians from +X towards -Z
 };
 
-/// One patch at a place, or many spots scattered by the variant's key. Distances are taken over the surface
-/// (see spots.h). What is smaller than the space between a surface's vertices is lost.
+/// One patch at a place, or many spots: at the seats of a law, or scattered by the variant's key. Distances are taken
+/// over the surface (see spots.h). What is smaller than the space between a surface's vertices is lost.
 struct SpotSketch {
   Color color{0};
-  std::optional<PatchPlace> place;            ///< a single patch; else scattered:
+  std::optional<PatchPlace> place;            ///< a single patch; else:
+  std::optional<int> law;                     ///< index into Template::laws; else scattered:
   double spacing = 0;                         ///< smallest distance of two centres that face the same way, metres
   int count = 0;                              ///< largest number; 0 = as many as there is room for
   double along_from = 0, along_to = 1;        ///< the band of the vertical curve where centres lie

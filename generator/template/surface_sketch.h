@@ -24,17 +24,28 @@ struct ReferenceRadii {
   double outer = 0;
 };
 
+/// How far the middle of a surface's sections lies from the axis, metres, by the share of the vertical curve.
+struct AxisOffset {
+  Ramp<double> x = Ramp<double>::constant(0), z = Ramp<double>::constant(0);
+
+  bool is_zero() const;
+};
+
 /// One drawn surface: a vertical and a horizontal curve (paper, section 4.1), in metres.
 /// Vertical: x = distance from the axis, y = height. Horizontal, seen from above: x = +X, y = -Z, so that its
 /// polar angle is the angle about the axis. Front is outside (away from the axis, out of a closed loop).
 struct SurfaceSketch {
   std::string name;
   SurfaceType type = SurfaceType::around_axis;
-  Curve vertical;                 ///< around_axis: open, bottom to top; in_fold: closed
-  std::vector<Curve> horizontal;  ///< around_axis: one closed loop; in_fold: one per fold (empty = none there)
+  Curve vertical;                  ///< around_axis: open, bottom to top; in_fold: closed
+  std::vector<Curve> horizontal;   ///< around_axis: one closed loop, or one for each of `stops`; in_fold: one per
+                                   ///< fold (empty = none there)
+  std::vector<double> stops = {};  ///< around_axis: where along the vertical curve each of several loops is, ascending;
+                                   ///< the loops have the same reference radius, and blend between
   std::optional<double> reference_azimuth;  ///< azimuth at which the vertical curve was drawn; else the loop's mean
                                             ///< radius counts
   std::optional<ReferenceRadii> reference;  ///< set in variants: those of the drawing, so that they keep its scale
+  AxisOffset off = {};                      ///< around_axis
   Ramp<double> roundness = Ramp<double>::constant(0);  ///< along: 0 = the loop as drawn, 1 = a circle
   double taper = 0.5;                                  ///< in_fold: exponent p of the closing at the ends
   Side front;

@@ -12,6 +12,7 @@
 #include "generator/template/grain_sketch.h"
 #include "generator/template/individual.h"
 #include "generator/template/ink_style.h"
+#include "generator/template/law_sketch.h"
 #include "generator/template/material_sketch.h"
 #include "generator/template/mesh_sketch.h"
 #include "generator/template/noise_style.h"
@@ -45,8 +46,9 @@ struct Template {
   std::vector<std::string> parts;
   std::vector<SurfaceSketch> surfaces;
   std::vector<MeshSketch> meshes;  ///< after the drawn surfaces
+  std::vector<LawSketch> laws;     ///< by which grains and spots may sit
   std::vector<GrainSketch> grains;
-  AxisBend bend;                          ///< bend of the axis, which is straight in the drawing
+  AxisBend bend;                          ///< the axis, along which curves are drawn straight
   Proportions proportions;                ///< set in variants: how they differ from the drawing
   VariationSketch variation;              ///< variation besides the horizontal curves
   std::vector<MaterialSketch> materials;  ///< one per part, or none

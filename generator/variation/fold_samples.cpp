@@ -98,7 +98,7 @@ std::vector<FoldSamples> fold_samples(const Template& fruit) {
   std::vector<FoldSamples> all;
   for (std::size_t s = 0; s < fruit.surfaces.size(); ++s) {
     const SurfaceSketch& surface = fruit.surfaces[s];
-    FoldSamples samples{s, surface.type == SurfaceType::in_fold, std::vector<PolarCurve>(lines.size())};
+    FoldSamples samples{s, 0, surface.type == SurfaceType::in_fold, std::vector<PolarCurve>(lines.size())};
     if (samples.closed) {
       // A surface in folds gives whole loops; a fold may have none.
       for (std::size_t k = 0; k < std::min(lines.size(), surface.horizontal.size()); ++k) {
@@ -106,13 +106,16 @@ std::vector<FoldSamples> fold_samples(const Template& fruit) {
         if (loop.points.size() >= 3) samples.fold[k] = closed_sample(loop, lines[k], widths[k]);
       }
       align(samples.fold);
+      all.push_back(std::move(samples));
     } else {
       // A curve around the axis is divided at the fold lines; one that does not vary gives no samples.
       if (!surface.varies || surface.horizontal.empty() || !encloses(surface.horizontal.front(), {0, 0})) continue;
-      const Curve loop = counter_clockwise(surface.horizontal.front());
-      for (std::size_t k = 0; k < lines.size(); ++k) samples.fold[k] = open_sample(loop, lines[k], widths[k]);
+      for (samples.loop = 0; samples.loop < surface.horizontal.size(); ++samples.loop) {
+        const Curve loop = counter_clockwise(surface.horizontal[samples.loop]);
+        for (std::size_t k = 0; k < lines.size(); ++k) samples.fold[k] = open_sample(loop, lines[k], widths[k]);
+        all.push_back(samples);
+      }
     }
-    all.push_back(std::move(samples));
   }
   return all;
 }

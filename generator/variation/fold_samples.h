@@ -8,12 +8,13 @@
 
 namespace pomona {
 
-/// One surface in all folds of the drawing. The azimuth of a sample is a share of its fold, 0 at one fold line and 1 at
-/// the next: the paper's pie-shaped space, whatever its angle. All samples of a surface have the same number of points,
-/// and points with equal indices correspond: curves around the axis run from fold line to fold line; loops inside a
-/// fold start where they are nearest to each other.
+/// One surface, or one stop of a surface, in all folds of the drawing. The azimuth of a sample is a share of its fold,
+/// 0 at one fold line and 1 at the next: the paper's pie-shaped space, whatever its angle. All samples of a surface
+/// have the same number of points, and points with equal indices correspond: curves around the axis run from fold line
+/// to fold line; loops inside a fold start where they are nearest to each other.
 struct FoldSamples {
   std::size_t surface = 0;       ///< index into Template::surfaces
+  std::size_t loop = 0;          ///< around the axis: which of its horizontal curves
   bool closed = false;           ///< a loop within the fold (Type II)
   std::vector<PolarCurve> fold;  ///< one per drawn fold; empty where the fold has no loop
 };

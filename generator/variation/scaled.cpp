@@ -17,12 +17,18 @@ void scale(Side& side, double factor) {
   }
 }
 
+void scale(Ramp<double>& lengths, double factor) {
+  for (auto& stop : lengths.stops) stop.value *= factor;
+}
+
 void scale(SurfaceSketch& surface, double factor) {
   scale(surface.vertical, factor);
   for (Curve& loop : surface.horizontal) scale(loop, factor);
   if (surface.reference)
     surface.reference = ReferenceRadii{surface.reference->inner * factor, surface.reference->outer * factor};
-  for (auto& stop : surface.blur.along.stops) stop.value *= factor;
+  scale(surface.off.x, factor);
+  scale(surface.off.z, factor);
+  scale(surface.blur.along, factor);
   scale(surface.front, factor);
   scale(surface.back, factor);
 }
@@ -49,7 +55,7 @@ void scale(MeshSketch& mesh, double factor) {
   mesh.at *= factor;
   if (!mesh.paint) return;
   MeshPaint& paint = *mesh.paint;
-  for (auto& stop : paint.blur.along.stops) stop.value *= factor;
+  scale(paint.blur.along, factor);
   if (paint.ramps_from) *paint.ramps_from *= factor;
   scale(paint.front, factor);
   scale(paint.back, factor);
@@ -59,6 +65,7 @@ void scale(MeshSketch& mesh, double factor) {
 
 Template scaled(Template fruit, double factor) {
   for (SurfaceSketch& surface : fruit.surfaces) scale(surface, factor);
+  for (LawSketch& law : fruit.laws) scale(law.spacing, factor);
   for (GrainSketch& grain : fruit.grains) scale(grain, factor);
   for (MeshSketch& mesh : fruit.meshes) scale(mesh, factor);
   return fruit;

@@ -76,7 +76,7 @@ Template Variation::with_drawn_body(const Template& variant) const {
     body.bend.angle *= 0.7;
     body.bend.swing *= 0.7;
   }
-  if (swept_->crosses_anew(body)) body.bend = {};
+  if (swept_->crosses_anew(body)) body.bend = body.bend.as_line();
   return body;
 }
 

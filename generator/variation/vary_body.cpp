@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
@@ -40,6 +41,22 @@ AxisBend drawn_bend(AxisBend bend, const BendVariation& variation, VariantKey ke
 
 }  // namespace
 
+namespace {
+
+/// The strain of a drawn axis is not proportional to its bend, which goes back step by step.
+Template gently_bent_line(Template fruit, double pressing, double lean) {
+  for (int step = 0; step < 8; ++step) {
+    const BendStrain strain = bend_strain(fruit);
+    if (strain.pressing <= pressing && strain.lean <= lean) return fruit;
+    fruit.bend.angle *= 0.7;
+    fruit.bend.swing *= 0.7;
+  }
+  fruit.bend = fruit.bend.as_line();
+  return fruit;
+}
+
+}  // namespace
+
 Template vary_body(const Template& fruit, VariantKey key, double amount) {
   const VariationSketch& variation = fruit.variation;
   Template variant = fruit;
@@ -57,6 +74,7 @@ Template vary_body(const Template& fruit, VariantKey key, double amount) {
 Template gently_bent(Template fruit, const Template& drawn) {
   const BendStrain strain = bend_strain(fruit), borne = bend_strain(drawn);
   const double pressing = std::max(0.6, borne.pressing), lean = std::max(radians(60), borne.lean);
+  if (!fruit.bend.line.empty()) return gently_bent_line(std::move(fruit), pressing, lean);
   double share = 1;
   if (strain.pressing > pressing) share = pressing / strain.pressing;
   if (strain.lean > lean) share = std::min(share, lean / strain.lean);

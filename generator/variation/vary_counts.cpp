@@ -35,7 +35,7 @@ Template with_varied_layers(Template variant, VariantKey key, double amount) {
     if (surface.type != SurfaceType::around_axis) continue;
     if (varied_presence(variant, static_cast<int>(s), {true}, key, amount).front()) continue;
     surface.reference = reference_radii(surface);
-    surface.horizontal.front().points.clear();
+    for (Curve& loop : surface.horizontal) loop.points.clear();
   }
   return variant;
 }

@@ -202,7 +202,12 @@ FoldCandidate candidate(const FoldDrawing& drawing, const std::vector<FoldDraw>&
   for (std::size_t s = 0; s < drawing.samples.size(); ++s) {
     SurfaceSketch& surface = result.fruit.surfaces[drawing.samples[s].surface];
     surface.reference = reference_radii(surface);
-    surface.horizontal = loops_of(result.folds[s], symmetry, widths, drawing.samples[s].closed);
+    std::vector<Curve> loops = loops_of(result.folds[s], symmetry, widths, drawing.samples[s].closed);
+    if (drawing.samples[s].closed) {
+      surface.horizontal = std::move(loops);
+    } else {
+      surface.horizontal[drawing.samples[s].loop] = std::move(loops.front());
+    }
   }
   result.fruit.symmetry = symmetry;
   return result;

@@ -163,7 +163,21 @@ std::vector<bool> fixed_layers(const Template& fruit, const Layers& layers) {
   return fixed;
 }
 
-/// Moves layers apart that would cross. Only for loops that share their azimuths.
+/// Loops of the layers that vary: first each layer's own, outermost first, then what stops of the same layers come
+/// after.
+std::vector<Curve> varied_loops(const Template& fruit, const Layers& layers, const std::vector<bool>& fixed) {
+  std::vector<Curve> loops, stops;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (fixed[i]) continue;
+    const std::vector<Curve>& drawn = fruit.surfaces[layers.surface[i]].horizontal;
+    loops.push_back(counter_clockwise(drawn.front()));
+    for (std::size_t k = 1; k < drawn.size(); ++k) stops.push_back(counter_clockwise(drawn[k]));
+  }
+  loops.insert(loops.end(), stops.begin(), stops.end());
+  return loops;
+}
+
+/// Draws layers apart that would cross, each with all its stops. Only for loops that share their azimuths.
 void keep_apart(LoopBundle& bundle, const Template& fruit, const Layers& layers, const std::vector<bool>& fixed) {
   // Take the swells of all layers.
   const std::vector<double> at = azimuths(bundle.start, bundle.step.front());
@@ -184,11 +198,18 @@ void keep_apart(LoopBundle& bundle, const Template& fruit, const Layers& layers,
   // Put those of the varied layers back.
   all = kept_apart(layers, std::move(all), fixed);
   next = 0;
+  auto stop = static_cast<std::size_t>(std::count(fixed.begin(), fixed.end(), false));
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (fixed[i]) continue;
-    const double reference = reference_radii(fruit.surfaces[layers.surface[i]]).outer;
+    const SurfaceSketch& surface = fruit.surfaces[layers.surface[i]];
+    const double reference = reference_radii(surface).outer;
     for (double& value : all[i]) value *= reference;
-    bundle.log_radius[next++] = log_of(all[i]);
+    const CyclicSignal before = std::exchange(bundle.log_radius[next], log_of(all[i]));
+    for (std::size_t k = 1; k < surface.horizontal.size(); ++k, ++stop) {
+      for (std::size_t j = 0; j < before.size(); ++j)
+        bundle.log_radius[stop][j] += bundle.log_radius[next][j] - before[j];
+    }
+    ++next;
   }
 }
 
@@ -196,11 +217,13 @@ Template with_loops(const Template& fruit, const Layers& layers, const std::vect
                     const LoopBundle& bundle) {
   Template variant = fruit;
   std::size_t next = 0;
+  auto stop = static_cast<std::size_t>(std::count(fixed.begin(), fixed.end(), false));
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (fixed[i]) continue;
     SurfaceSketch& surface = variant.surfaces[layers.surface[i]];
     surface.reference = reference_radii(surface);
-    surface.horizontal = {loop_of(bundle, next++)};
+    surface.horizontal.front() = loop_of(bundle, next++);
+    for (std::size_t k = 1; k < surface.horizontal.size(); ++k) surface.horizontal[k] = loop_of(bundle, stop++);
   }
   return variant;
 }
@@ -212,7 +235,7 @@ bool is_sound(const Template& variant, const Layers& layers) {
   std::vector<std::vector<double>> all;
   for (const std::size_t s : layers.surface) {
     const SurfaceSketch& surface = variant.surfaces[s];
-    if (!is_simple(surface.horizontal.front())) return false;
+    if (!std::all_of(surface.horizontal.begin(), surface.horizontal.end(), is_simple)) return false;
     all.push_back(swells(surface.horizontal.front(), reference_radii(surface).outer, at));
   }
   return are_apart(layers, all);
@@ -229,11 +252,7 @@ struct LoopVariation::Prepared {
 
   Prepared(const Template& drawing, SweptCheck check)
       : fruit(drawing), layers(layers_of(fruit)), fixed(fixed_layers(fruit, layers)), swept(std::move(check)) {
-    // Take the loops that vary, outermost first.
-    std::vector<Curve> loops;
-    for (std::size_t i = 0; i < fixed.size(); ++i) {
-      if (!fixed[i]) loops.push_back(counter_clockwise(fruit.surfaces[layers.surface[i]].horizontal.front()));
-    }
+    const std::vector<Curve> loops = varied_loops(fruit, layers, fixed);
     if (!loops.empty()) drawn = bundle_of(loops);
   }
 

@@ -4,6 +4,8 @@ import {entryOf, lineAfter, tomlTree} from './toml_tree.js';
 
 /** The positions of a string's contents. */
 const wordsIn = (value) => (value?.kind === 'string' ? {text: value.text, ...value.inside} : null);
+/** Where a horizontal curve says its words: one of a list, or at a stop [place, curve]. */
+const loopIn = (value) => wordsIn(value?.kind === 'array' ? value.items[1] : value);
 
 /**
  * {name, type, node, from, to, vertical: {text, from, to}, horizontal: [...], blur}: `to` is after the last line of the
@@ -20,7 +22,7 @@ export function surfacesIn(toml, tree = tomlTree(toml)) {
       from: node.from,
       to: lineAfter(toml, endOf(node)),
       vertical: wordsIn(entryOf(node, 'vertical')),
-      horizontal: (horizontal?.kind === 'array' ? horizontal.items : [horizontal]).map(wordsIn).filter(Boolean),
+      horizontal: (horizontal?.kind === 'array' ? horizontal.items : [horizontal]).map(loopIn).filter(Boolean),
       blur: blurIn(entryOf(node, 'blur'))
     };
   });

@@ -14,6 +14,7 @@
 #include "generator/surface/grains/grain_shape.h"
 #include "generator/surface/sweep/dart_throwing.h"
 #include "generator/surface/sweep/grid_painter.h"
+#include "generator/surface/sweep/law_seats.h"
 #include "generator/surface/sweep/swept_grid.h"
 #include "generator/template/read/entry_place.h"
 
@@ -137,6 +138,10 @@ GrainWalls walls_of(const Template& fruit, const GrainSketch& sketch, const Swee
   return {meshes, 0.7 * std::max({sketch.form.length, sketch.form.width, sketch.form.thickness})};
 }
 
+const LawSketch& law_of(const Template& fruit, const GrainSketch& sketch) {
+  return fruit.laws.at(static_cast<std::size_t>(*sketch.spacing.law));
+}
+
 }  // namespace
 
 DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const SweepOptions& options) {
@@ -144,32 +149,44 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
   grains.part_names = fruit.parts;
   const double size = fruit_size(fruit);
   double expected = 0;
-  std::vector<std::vector<Dart>> thrown;
+  std::vector<std::vector<Dart>> placed;
   std::map<std::vector<int>, GrainWalls> walls;  // by the surfaces that kinds keep clear of
   for (const GrainSketch& sketch : fruit.grains) {
-    // Refuse what would take too long before throwing the first dart.
-    if (!(sketch.spacing.poisson_radius >= 1e-3 * size)) {
-      refuse(fruit, sketch, "their spacing is below 1/1000 of the fruit", "make it the distance between grains");
-    }
+    // Refuse what would take too long before placing the first grain.
     const GrainDraws draws = grain_draws(key, sketch.name);
     const SurfaceSketch& surface = fruit.surfaces.at(static_cast<std::size_t>(sketch.surface));
-    const std::vector<GrainTarget> targets = grain_targets(swept_grids(fruit, surface, options), sketch, draws.folds);
-    expected += room_for_grains(targets, sketch);
+    const std::vector<SweptGrid> grids = swept_grids(fruit, surface, options);
+    std::vector<GrainTarget> targets;
+    if (sketch.spacing.law) {
+      expected += law_room(law_of(fruit, sketch), surface.vertical);
+    } else {
+      if (!(sketch.spacing.poisson_radius >= 1e-3 * size)) {
+        refuse(fruit, sketch, "their spacing is below 1/1000 of the fruit", "make it the distance between grains");
+      }
+      targets = grain_targets(grids, sketch, draws.folds);
+      expected += room_for_grains(targets, sketch);
+    }
     if (expected > max_grains) refuse(fruit, sketch, "more than 20 000 grains", "make their spacing larger");
 
     std::vector<Dart> others;
     for (const int kind : sketch.spacing.apart_from) {
-      const std::vector<Dart>& known = thrown.at(static_cast<std::size_t>(kind));
+      const std::vector<Dart>& known = placed.at(static_cast<std::size_t>(kind));
       others.insert(others.end(), known.begin(), known.end());
     }
-    std::vector<Dart> darts = filled(thrown_darts(targets, sketch, draws, options.threads, others), sketch, draws);
+    std::vector<Dart> darts;
+    if (!sketch.spacing.law) {
+      darts = thrown_darts(targets, sketch, draws, options.threads, others);
+    } else if (!grids.empty()) {
+      darts = seated_darts(law_of(fruit, sketch), surface.vertical, grids.front(), sketch, draws, key);
+    }
+    darts = filled(std::move(darts), sketch, draws);
     if (const std::vector<int>& clear_of = sketch.spacing.clear_of; !clear_of.empty()) {
       if (!walls.contains(clear_of)) walls.emplace(clear_of, walls_of(fruit, sketch, options));
       darts = with_room(std::move(darts), sketch, walls.at(clear_of), others);
     }
-    thrown.push_back(std::move(darts));
-    append_grains(grains, sketch, thrown.back(), draws);
-    for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, thrown.back(), draws);
+    placed.push_back(std::move(darts));
+    append_grains(grains, sketch, placed.back(), draws);
+    for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, placed.back(), draws);
   }
   return grains;
 }

@@ -26,7 +26,8 @@ BodyMap::BodyMap(const Template& fruit) : proportions_(fruit.proportions), bend_
   half_ = 0.5 * (range.high - range.low);
   half_length_ = half_ * proportions_.height_factor();
   changes_proportions_ = !proportions_.are_as_drawn();
-  bends_ = !bend_.is_straight();
+  bends_ = bend_.leans();
+  twists_ = bend_.twists();
   if (!bends_) return;
   towards_ = {reproducible::cos(bend_.direction), -reproducible::sin(bend_.direction)};
 
@@ -45,15 +46,32 @@ BodyMap::BodyMap(const Template& fruit) : proportions_(fruit.proportions), bend_
   double mean = 0.5 * (axis_.front().x + axis_.back().x) - step / 12 * (tangent_.back().x - tangent_.front().x);
   for (int i = 1; i < stretches; ++i) mean += axis_[static_cast<std::size_t>(i)].x;
   for (glm::dvec2& p : axis_) p.x -= mean / stretches;
+  if (bend_.line.empty()) return;
+
+  // A drawn axis may run downwards, or lie: its lowest point is as low as the drawing's.
+  const auto lowest = std::min_element(axis_.begin(), axis_.end(), [](auto& a, auto& b) { return a.y < b.y; });
+  const double sunk = lowest->y - low_;
+  for (glm::dvec2& p : axis_) p.y -= sunk;
 }
 
 glm::dvec3 BodyMap::operator()(const glm::dvec3& drawn) const {
   if (is_identity()) return drawn;
   const double place = (drawn.y - low_) / half_ - 1;
-  if (!changes_proportions_) return bent(drawn, place);
+  if (!changes_proportions_) return placed(drawn, place);
   const double factor = proportions_.radius_factor(place), moved = proportions_.place(place);
   const glm::dvec3 straight{drawn.x * factor, low_ + (moved + 1) * half_length_, drawn.z * factor};
-  return bends_ ? bent(straight, moved) : straight;
+  return placed(straight, moved);
+}
+
+glm::dvec3 BodyMap::placed(const glm::dvec3& straight, double place) const {
+  const glm::dvec3 turned = twists_ ? twisted(straight, place) : straight;
+  return bends_ ? bent(turned, place) : turned;
+}
+
+glm::dvec3 BodyMap::twisted(const glm::dvec3& straight, double place) const {
+  const double angle = bend_.twist((place + 1) / 2);
+  const double c = reproducible::cos(angle), s = reproducible::sin(angle);
+  return {c * straight.x + s * straight.z, straight.y, c * straight.z - s * straight.x};
 }
 
 glm::dvec2 BodyMap::axis_at(double place) const {

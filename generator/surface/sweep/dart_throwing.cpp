@@ -136,6 +136,7 @@ class DartThrower {
     dart.normal = footing->normal;
     dart.spacing = footing->spacing;
     dart.number = n;
+    dart.along = place.along;
     dart.tangent = unit_across(target.uphill, dart.normal);
     return dart;
   }

@@ -116,7 +116,7 @@ GrainPose grain_pose(const GrainSketch& sketch, const GrainSeat& seat, const Gra
 
   GrainPose pose;
   pose.look = sketch.looks.empty() ? GrainPose::own_look : drawn_look(sketch, draws.looks.uniform(first + look_draw));
-  double scale = 0.5 * std::max(0.1, 1 + form.size_jitter * place_draw(4));
+  double scale = 0.5 * std::max(0.1, 1 + form.size_jitter * place_draw(4)) * form.size(seat.along);
   if (pose.look >= 0) scale *= sketch.looks[static_cast<std::size_t>(pose.look)].scale;
   pose.thickness = up * (scale * form.thickness);
   pose.length = tip * (scale * form.length * (1 + form.length_jitter * draw(length_draw)));

@@ -28,6 +28,7 @@ struct GrainSeat {
   glm::dvec3 normal{0};      ///< unit, away from the side on which the grain sits
   glm::dvec3 tangent{0};     ///< unit, perpendicular to the normal, up along the vertical curve
   std::uint64_t number = 0;  ///< number of the candidate: it selects the random numbers
+  double along = 0;          ///< share of the surface's vertical curve
 };
 
 /// The pose of a grain: its half axes, and the index of its appearance in the sketch.

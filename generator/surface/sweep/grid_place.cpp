@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -72,40 +73,63 @@ glm::dvec3 uphill(const SweptGrid& grid, const glm::uvec3& t) {
          glm::cross(normal, b - a) * grid.along[t.z];
 }
 
-GridPoint point_at(const SweptGrid& grid, double along, double azimuth) {
-  // The triangle that contains the place, or is nearest to it: the one with the largest minimum share.
-  const double turn = turn_of(azimuth);
-  double best = -1e300;
-  glm::uvec3 triangle(0);
-  glm::dvec3 share(0);
-  for (const glm::uvec3& t : grid.triangle) {
-    const auto corner = unrolled(grid, t, along, turn);
+struct GridPlaces::Found {
+  double min = -1e300;  ///< smallest share of a corner: negative outside the triangle
+  glm::uvec3 triangle{0};
+  glm::dvec3 share{0};
+};
+
+GridPlaces::GridPlaces(const SweptGrid& grid) : grid_(grid), normals_(unit_normals(grid)), over_(bins + 1) {
+  const auto bin = [](double along) { return static_cast<std::size_t>(std::clamp(along, 0.0, 1.0) * bins); };
+  for (std::size_t i = 0; i < grid.triangle.size(); ++i) {
+    const glm::uvec3& t = grid.triangle[i];
+    const auto [low, high] = std::minmax({grid.along[t.x], grid.along[t.y], grid.along[t.z]});
+    for (std::size_t k = bin(low); k <= bin(high); ++k) over_[k].push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+GridPlaces::Found GridPlaces::found_among(const std::vector<std::uint32_t>& triangles, double along,
+                                          double turn) const {
+  Found best;
+  for (const std::uint32_t i : triangles) {
+    const glm::uvec3& t = grid_.triangle[i];
+    const auto corner = unrolled(grid_, t, along, turn);
     if (!corner) continue;
     const auto& [a, b, c] = *corner;
     const double area = cross(b - a, c - a);
     if (area == 0) continue;
     const glm::dvec3 shares = glm::dvec3(cross(b, c), cross(c, a), cross(a, b)) / area;
     const double min = std::min({shares.x, shares.y, shares.z});
-    if (min > best) {
-      best = min;
-      triangle = t;
-      share = shares;
-    }
+    if (min > best.min) best = {min, t, shares};
+  }
+  return best;
+}
+
+GridPoint GridPlaces::at(double along, double azimuth) const {
+  // The triangle that contains the place, or is nearest to it: the one with the largest minimum share.
+  const double turn = turn_of(azimuth);
+  const auto bin = static_cast<std::size_t>(std::clamp(along, 0.0, 1.0) * bins);
+  Found found = found_among(over_[bin], along, turn);
+  if (found.min < 0) {
+    std::vector<std::uint32_t> all(grid_.triangle.size());
+    std::iota(all.begin(), all.end(), 0u);
+    found = found_among(all, along, turn);
   }
 
-  share = glm::dvec3(std::max(share.x, 0.0), std::max(share.y, 0.0), std::max(share.z, 0.0));
+  glm::dvec3 share(std::max(found.share.x, 0.0), std::max(found.share.y, 0.0), std::max(found.share.z, 0.0));
   share /= std::max(share.x + share.y + share.z, 1e-300);
-  const std::vector<glm::dvec3> normals = unit_normals(grid);
   GridPoint point;
   glm::dvec3 normal(0);
   for (int k = 0; k < 3; ++k) {
-    point.position += share[k] * grid.position[triangle[k]];
-    normal += share[k] * normals[triangle[k]];
+    point.position += share[k] * grid_.position[found.triangle[k]];
+    normal += share[k] * normals_[found.triangle[k]];
   }
   const double size = glm::length(normal);
   if (size > 0) point.normal = normal / size;
-  point.uphill = unit_across(uphill(grid, triangle), point.normal);
+  point.uphill = unit_across(uphill(grid_, found.triangle), point.normal);
   return point;
 }
+
+GridPoint point_at(const SweptGrid& grid, double along, double azimuth) { return GridPlaces(grid).at(along, azimuth); }
 
 }  // namespace pomona

@@ -1,6 +1,8 @@
 // Points of a swept grid, by their position on the drawn curves.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "generator/surface/sweep/swept_grid.h"
@@ -13,8 +15,25 @@ struct GridPoint {
   glm::dvec3 uphill{1, 0, 0};  ///< unit, perpendicular to the normal: the direction in which `along` grows
 };
 
-/// The point at a share of the vertical curve and an azimuth, radians; for grids around the axis. Beyond an open rim,
-/// the nearest point.
+/// Looks points of one grid up, which must outlive it; for grids around the axis.
+class GridPlaces {
+ public:
+  explicit GridPlaces(const SweptGrid& grid);
+
+  /// The point at a share of the vertical curve and an azimuth, radians. Beyond an open rim, the nearest point.
+  GridPoint at(double along, double azimuth) const;
+
+ private:
+  struct Found;
+  static constexpr std::size_t bins = 256;
+  Found found_among(const std::vector<std::uint32_t>& triangles, double along, double turn) const;
+
+  const SweptGrid& grid_;
+  std::vector<glm::dvec3> normals_;
+  std::vector<std::vector<std::uint32_t>> over_;  ///< triangles by the stretches of the vertical curve that they meet
+};
+
+/// The same for a single point.
 GridPoint point_at(const SweptGrid& grid, double along, double azimuth);
 
 /// The normal of the front at every vertex: the sum of its triangles' normals, each with a length of twice the area.

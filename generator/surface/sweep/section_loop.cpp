@@ -106,6 +106,23 @@ glm::dvec2 direction_of(double angle) {
 
 double angle_of(const glm::dvec2& point) { return reproducible::atan2(point.y, point.x); }
 
+SectionLoop loop_at(const SectionStops& stops, double share) {
+  const auto next = std::upper_bound(stops.at.begin(), stops.at.end(), share);
+  if (next == stops.at.begin()) return stops.loop.front();
+  if (next == stops.at.end()) return stops.loop.back();
+  const auto after = static_cast<std::size_t>(next - stops.at.begin());
+  const double t = (share - stops.at[after - 1]) / (stops.at[after] - stops.at[after - 1]);
+  const double way = t * t * (3 - 2 * t);
+  const SectionLoop& to = stops.loop[after];
+  SectionLoop blend = stops.loop[after - 1];
+  for (std::size_t i = 0; i < blend.radius.size(); ++i) {
+    const double from = angle_of(blend.direction[i]), turn = angle_of(to.direction[i]) - from;
+    blend.direction[i] = direction_of(from + way * (turn - 2 * pi * std::round(turn / (2 * pi))));
+    blend.radius[i] += way * (to.radius[i] - blend.radius[i]);
+  }
+  return blend;
+}
+
 SectionLoop sampled_loop(const Curve& drawn, int count, double reference_radius) {
   check(drawn);
   const Curve loop = counter_clockwise(drawn);

@@ -36,6 +36,16 @@ SectionLoop sampled_loop(const Curve& loop, int count, double reference_radius);
 SectionLoop sampled_folds(const Curve& loop, std::span<const double> fold_angles, int count_per_fold,
                           double reference_radius);
 
+/// Loops at places along a vertical curve, all in as many spokes; between two of them they blend.
+struct SectionStops {
+  std::vector<double> at;         ///< ascending; as many as loops, or none for a single loop
+  std::vector<SectionLoop> loop;  ///< at least one
+};
+
+/// The loop at a share of the vertical curve: angle and radius of each spoke pass gently from one stop to the next, so
+/// that it surrounds the axis as the stops do.
+SectionLoop loop_at(const SectionStops& stops, double share);
+
 /// (cos, sin), exact at quarter turns.
 glm::dvec2 direction_of(double angle);
 

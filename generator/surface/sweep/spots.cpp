@@ -10,6 +10,7 @@
 #include "generator/base/units.h"
 #include "generator/surface/sweep/dart_throwing.h"
 #include "generator/surface/sweep/grid_place.h"
+#include "generator/surface/sweep/law_seats.h"
 #include "generator/surface/sweep/section_loop.h"
 
 namespace pomona {
@@ -63,8 +64,22 @@ Spot spot_at(const Dart& dart, const SpotSketch& sketch, const RandomStream& ran
   return spot;
 }
 
+std::vector<Dart> seated_spots(const Template& fruit, const SurfaceSketch& surface, SideOf side,
+                               const SpotSketch& sketch, const SweptGrid& grid, const GrainDraws& draws,
+                               VariantKey key) {
+  const LawSketch& law = fruit.laws.at(static_cast<std::size_t>(*sketch.law));
+  if (law_room(law, surface.vertical) > max_spots) {
+    refuse(fruit, surface, std::string(name_of(side)) + " has more than 20 000 spots", "make their spacing larger");
+  }
+  std::vector<Dart> darts = seated_darts(law, surface.vertical, grid, as_darts(sketch), draws, key);
+  if (sketch.count > 0 && darts.size() > static_cast<std::size_t>(sketch.count))
+    darts.resize(static_cast<std::size_t>(sketch.count));
+  return darts;
+}
+
 std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, SideOf side, const SpotSketch& sketch,
-                           std::span<const SweptGrid> grids, const RandomStream& random, Threads threads) {
+                           std::span<const SweptGrid> grids, const RandomStream& random, Threads threads,
+                           VariantKey key) {
   if (grids.empty()) return {};
   if (sketch.place) {
     const GridPoint point = point_at(grids.front(), sketch.place->along, sketch.place->azimuth);
@@ -75,6 +90,7 @@ std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, 
     return {dart};
   }
   const GrainSketch thrown = as_darts(sketch);
+  if (sketch.law) return seated_spots(fruit, surface, side, sketch, grids.front(), {random, random, random}, key);
   const std::vector<GrainTarget> targets = grain_targets(grids, thrown, random);
   if (room_for_grains(targets, thrown) > max_spots) {
     refuse(fruit, surface, std::string(name_of(side)) + " has more than 20 000 spots", "make their spacing larger");
@@ -163,7 +179,7 @@ std::vector<Spot> placed_spots(const Template& fruit, const SurfaceSketch& sketc
   const std::vector<SpotSketch>& kinds = side_of(sketch, side).spots;
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     const RandomStream random(options.key, "spots/" + sketch.name + "/" + name_of(side) + "/" + std::to_string(kind));
-    for (const Dart& dart : darts_of(fruit, sketch, side, kinds[kind], grids, random, options.threads)) {
+    for (const Dart& dart : darts_of(fruit, sketch, side, kinds[kind], grids, random, options.threads, options.key)) {
       spots.push_back(spot_at(dart, kinds[kind], random));
     }
   }

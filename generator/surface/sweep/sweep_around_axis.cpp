@@ -25,11 +25,7 @@ Profile checked_profile(const Template& fruit, const SurfaceSketch& sketch, int 
   return profile;
 }
 
-SectionLoop checked_loop(const Template& fruit, const SurfaceSketch& sketch, int around) {
-  if (sketch.horizontal.size() != 1) {
-    refuse(fruit, sketch, "a surface around the axis needs one horizontal curve", "draw one closed curve");
-  }
-  const Curve& loop = sketch.horizontal.front();
+SectionLoop checked_loop(const Template& fruit, const SurfaceSketch& sketch, const Curve& loop, int around) {
   const double reference = reference_radii(sketch).outer;
   if (!(reference > 0)) {
     refuse(fruit, sketch, "the horizontal curve does not surround the axis", "draw one closed curve around the axis");
@@ -44,6 +40,16 @@ SectionLoop checked_loop(const Template& fruit, const SurfaceSketch& sketch, int
   } catch (const BadLoop& bad) {
     refuse(fruit, sketch, bad.what(), bad.hint);
   }
+}
+
+SectionStops checked_loops(const Template& fruit, const SurfaceSketch& sketch, int around) {
+  if (sketch.horizontal.size() != std::max<std::size_t>(1, sketch.stops.size())) {
+    refuse(fruit, sketch, "a surface around the axis needs one horizontal curve, or one at each of its stops",
+           "draw one closed curve");
+  }
+  SectionStops stops{sketch.stops, {}};
+  for (const Curve& loop : sketch.horizontal) stops.loop.push_back(checked_loop(fruit, sketch, loop, around));
+  return stops;
 }
 
 void append_ring(SweptGrid& grid, const SectionLoop& loop, const glm::dvec2& at, double share, double roundness) {
@@ -70,25 +76,35 @@ void append_pole(SweptGrid& grid, const glm::dvec2& at, double share) {
   grid.turn.push_back(std::nullopt);
 }
 
+void set_off(SweptGrid& grid, const AxisOffset& off) {
+  for (std::size_t v = 0; v < grid.position.size(); ++v)
+    grid.position[v] += glm::dvec3(off.x(grid.along[v]), 0, off.z(grid.along[v]));
+}
+
 }  // namespace
 
 SweptGrid swept_around_axis(const Template& fruit, const SurfaceSketch& sketch, int around, int along) {
   const Profile profile = checked_profile(fruit, sketch, along);
-  const SectionLoop loop = checked_loop(fruit, sketch, around);
+  const SectionStops loops = checked_loops(fruit, sketch, around);
 
   SweptGrid grid;
   grid.folds_around = fold_count(fruit);
   for (std::size_t j = 0; j < profile.points.size(); ++j) {
+    const double share = profile.share[j];
     if (profile.points[j].x == 0) {
-      append_pole(grid, profile.points[j], profile.share[j]);
+      append_pole(grid, profile.points[j], share);
+    } else if (loops.at.empty()) {
+      append_ring(grid, loops.loop.front(), profile.points[j], share, sketch.roundness(share));
     } else {
-      append_ring(grid, loop, profile.points[j], profile.share[j], sketch.roundness(profile.share[j]));
+      append_ring(grid, loop_at(loops, share), profile.points[j], share, sketch.roundness(share));
     }
   }
+  if (!sketch.off.is_zero()) set_off(grid, sketch.off);
 
   // The front is outside, in whichever direction the profile was drawn.
-  grid.triangle = grid_triangles({static_cast<int>(loop.radius.size()), static_cast<int>(profile.points.size()),
-                                  profile.starts_on_axis, profile.ends_on_axis, profile.closed});
+  grid.triangle =
+      grid_triangles({static_cast<int>(loops.loop.front().radius.size()), static_cast<int>(profile.points.size()),
+                      profile.starts_on_axis, profile.ends_on_axis, profile.closed});
   if (outward(profile) < 0) {
     for (glm::uvec3& t : grid.triangle) std::swap(t.y, t.z);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/base/units.h"
+#include "generator/template/read/read_law.h"
 #include "generator/template/read/read_paint.h"
 
 namespace pomona {
@@ -75,8 +76,26 @@ std::vector<int> read_clear_of(const TomlValue& value, const Template& fruit) {
   return surfaces;
 }
 
-GrainSpacing read_spacing(const TomlTable& table, const Template& fruit) {
+/// What does not go with a law: it says where grains are, and around the axis there is no depth.
+void refuse_beside_law(const TomlTable& table) {
+  for (const char* key : {"sector", "folds", "fold_share", "apart", "solid", "apart_from"}) {
+    if (table.has(key))
+      table.get(key).error("is given beside a law, which says where they sit", "leave one of the two out");
+  }
+  const TomlValue density = table.get("density");
+  if (density.is(TomlNode::Kind::table)) density.error("has a place around beside a law", "write a ramp along");
+}
+
+GrainSpacing read_spacing(const TomlTable& table, const Template& fruit, const SurfaceSketch* surface) {
   GrainSpacing spacing;
+  if (table.has("law")) {
+    std::vector<std::string> laws;
+    for (const LawSketch& law : fruit.laws) laws.push_back(law.name);
+    spacing.law = read_law_name(table, laws, surface ? surface->type : SurfaceType::around_axis);
+    refuse_beside_law(table);
+    spacing.clear_of = read_clear_of(table.get("clear_of"), fruit);
+    return spacing;
+  }
   spacing.poisson_radius = table.need("spacing").length(1e-3, {1e-5, 0.2});
   spacing.any_facing = table.get("apart").choice({"facing", "all"}) == 1;
   spacing.solid = table.get("solid").boolean(false);
@@ -113,6 +132,9 @@ GrainForm read_form(const TomlTable& table) {
   form.length = table.need("length").length(1e-3, size);
   form.width = table.need("width").length(1e-3, size);
   form.thickness = table.need("thickness").length(1e-3, size);
+  form.size = read_ramp<double>(table.get("size"), 1.0, [](const TomlValue& stop) {
+    return stop.number(1, {0.05, 4});
+  });
   form.size_jitter = table.get("size_jitter").number(0, {0, 0.9});
   form.length_jitter = table.get("length_jitter").number(0, {0, 0.9});
   form.width_jitter = table.get("width_jitter").number(0, {0, 0.9});
@@ -221,8 +243,9 @@ GrainSketch read_grains(const TomlTable& table, const Template& fruit) {
   grain.surface = table.need("surface").choice(names);
   const auto at = static_cast<std::size_t>(grain.surface);
   grain.on_front = table.get("side").choice({"front", "back"}) == 0;
-  grain.ground = read_ground(table, fruit, at < fruit.surfaces.size() ? &fruit.surfaces[at] : nullptr);
-  grain.spacing = read_spacing(table, fruit);
+  const SurfaceSketch* surface = at < fruit.surfaces.size() ? &fruit.surfaces[at] : nullptr;
+  grain.ground = read_ground(table, fruit, surface);
+  grain.spacing = read_spacing(table, fruit, surface);
   grain.form = read_form(table);
   refuse_crowd(table, grain);
   grain.stance = read_stance(table);

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "generator/template/read/read_law.h"
 #include "generator/template/spot_sketch.h"
 #include "generator/template/surface_sketch.h"
 
@@ -52,8 +53,10 @@ void read_band(const TomlValue& value, SpotSketch& spots) {
   if (!(spots.along_to > spots.along_from)) value.error("is empty", "write the lower end first");
 }
 
-void read_scatter(const TomlTable& table, SpotSketch& spots) {
-  if (!table.has("spacing")) {
+void read_scatter(const TomlTable& table, const PaintedSurface& surface, SpotSketch& spots) {
+  if (table.has("law")) {
+    spots.law = read_law_name(table, surface.laws, surface.type);
+  } else if (!table.has("spacing")) {
     table.error("lacks \"place\" or \"spacing\"", "give a single patch its place, or many spots their spacing");
   }
   spots.spacing = table.get("spacing").length(1e-3, sizes);
@@ -69,13 +72,13 @@ double read_relief(const TomlTable& table, bool faces_air) {
   return value.length(0, spot_height);
 }
 
-SpotSketch read_spot(const TomlTable& table, SurfaceType type, bool faces_air) {
+SpotSketch read_spot(const TomlTable& table, const PaintedSurface& surface, bool faces_air) {
   SpotSketch spots;
   spots.color = table.need("color").color();
   if (table.has("place")) {
-    spots.place = read_place(table.get("place"), type);
+    spots.place = read_place(table.get("place"), surface.type);
   } else {
-    read_scatter(table, spots);
+    read_scatter(table, surface, spots);
   }
   read_size(table.need("size"), spots);
   spots.stretch = table.get("stretch").number(spots.stretch, {0.05, 20});
@@ -88,9 +91,9 @@ SpotSketch read_spot(const TomlTable& table, SurfaceType type, bool faces_air) {
 
 /// [{ place = [0.3, 200], size = "40mm", color = "#..." }, { spacing = "4mm", size = ["1mm", "2mm"], color = ... }].
 /// \param faces_air whether the side does: relief is for such sides.
-std::vector<SpotSketch> read_spots(const TomlValue& value, SurfaceType type, bool faces_air) {
+std::vector<SpotSketch> read_spots(const TomlValue& value, const PaintedSurface& surface, bool faces_air) {
   std::vector<SpotSketch> spots;
-  for (const TomlTable& table : value.tables(max_kinds)) spots.push_back(read_spot(table, type, faces_air));
+  for (const TomlTable& table : value.tables(max_kinds)) spots.push_back(read_spot(table, surface, faces_air));
   return spots;
 }
 
@@ -195,7 +198,7 @@ PaintedColor read_painted_color(const TomlValue& value) { return read_painted_co
 Side read_surface_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface& surface) {
   Side side = read_any_side(table, parts, &surface);
   for (const TomlTable& coat : table.get("coats").tables(max_coats)) side.coats.push_back(read_coat(coat, surface));
-  side.spots = read_spots(table.get("spots"), surface.type, side.hidden);
+  side.spots = read_spots(table.get("spots"), surface, side.hidden);
   return side;
 }
 

@@ -10,18 +10,6 @@
 
 namespace pomona {
 
-/// Reads a value, or stops [[0.0, value], [0.4, value], ...] that ascend within 0..1; `read` reads one value of the
-/// ramp.
-template <typename Value, typename Read>
-Ramp<Value> read_ramp(const TomlValue& value, const Value& fallback, Read read) {
-  if (!value.is(TomlNode::Kind::array)) return Ramp<Value>::constant(value.given() ? read(value) : fallback);
-  const auto place = [](const TomlValue& at) { return at.number(0, {0, 1}); };
-  const Ramp<Value> ramp{read_stops<Value>(value, place, read,
-                                           {.one = "write [place, value] with a place from 0 to 1, as in [0.4, ...]",
-                                            .all = "write at least one, as in [[0.0, ...]]"})};
-  return ramp.stops.empty() ? Ramp<Value>::constant(fallback) : ramp;
-}
-
 /// Reads a ramp around a whole turn. Without a stop at 0 or at 1, values go on evenly from the last stop over the seam
 /// to the first; a jump there needs stops at both.
 template <typename Value, typename Read>
@@ -57,7 +45,8 @@ PaintedColor read_painted_color(const TomlValue& value);
 /// What paint of a surface is checked against.
 struct PaintedSurface {
   SurfaceType type = SurfaceType::around_axis;
-  int folds = 0;  ///< 0: the fruit is cylindrical
+  int folds = 0;                       ///< 0: the fruit is cylindrical
+  std::vector<std::string> laws = {};  ///< names
 };
 
 /// Reads the side of a surface, which besides has the colour's `turn` and `folds`, `coats` and `spots`.

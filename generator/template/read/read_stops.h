@@ -35,4 +35,16 @@ std::vector<typename Ramp<Value>::Stop> read_stops(const TomlValue& value, ReadA
   return stops;
 }
 
+/// Reads a value, or stops [[0.0, value], [0.4, value], ...] that ascend within 0..1; `read` reads one value of the
+/// ramp.
+template <typename Value, typename Read>
+Ramp<Value> read_ramp(const TomlValue& value, const Value& fallback, Read read) {
+  if (!value.is(TomlNode::Kind::array)) return Ramp<Value>::constant(value.given() ? read(value) : fallback);
+  const auto place = [](const TomlValue& at) { return at.number(0, {0, 1}); };
+  const Ramp<Value> ramp{read_stops<Value>(value, place, read,
+                                           {.one = "write [place, value] with a place from 0 to 1, as in [0.4, ...]",
+                                            .all = "write at least one, as in [[0.0, ...]]"})};
+  return ramp.stops.empty() ? Ramp<Value>::constant(fallback) : ramp;
+}
+
 }  // namespace pomona

@@ -1,6 +1,8 @@
 #include "generator/template/read/read_surface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
@@ -35,6 +37,46 @@ bool faces_air(const TomlTable& surface) {
     return value.is(TomlNode::Kind::table) && value.table().get("hidden").boolean(false);
   };
   return is_hidden("front") || is_hidden("back");
+}
+
+Curve scaled_by(Curve curve, double factor) {
+  for (glm::dvec2& p : curve.points) p *= factor;
+  return curve;
+}
+
+constexpr std::size_t max_loops = 16;
+
+/// [x, z] from the axis, or stops of such.
+void read_off(const TomlValue& value, SurfaceSketch& sketch) {
+  constexpr Within reach{-1, 1};  // metres
+  if (sketch.type == SurfaceType::in_fold) {
+    return value.error("is for surfaces around the axis", "draw the loops of a surface in folds where it lies");
+  }
+  const auto both = [&](const TomlValue& pair) -> std::pair<double, double> {
+    const std::vector<TomlValue> lengths = pair.values();
+    if (lengths.size() == 2) return {lengths[0].length(0, reach), lengths[1].length(0, reach)};
+    if (pair.is(TomlNode::Kind::array)) pair.error("must be two lengths, x and z, as in [\"4mm\", \"0mm\"]");
+    return {0, 0};
+  };
+  const std::vector<TomlValue> listed = value.values();
+  if (!listed.empty() && listed.front().is(TomlNode::Kind::string)) {
+    const auto [x, z] = both(value);
+    sketch.off = {Ramp<double>::constant(x), Ramp<double>::constant(z)};
+    return;
+  }
+  const auto place = [](const TomlValue& at) { return at.number(0, {0, 1}); };
+  const auto stops =
+      read_stops<std::pair<double, double>>(value, place, both,
+                                            {.one = "write [place, [x, z]], as in [0.5, [\"4mm\", \"0mm\"]]",
+                                             .all = "write [x, z], as in [\"4mm\", \"0mm\"]"});
+  if (stops.empty()) return;
+  sketch.off = {};
+  sketch.off.x.stops.clear();
+  sketch.off.z.stops.clear();
+  for (const auto& [at, lengths] : stops) {
+    sketch.off.x.stops.push_back({at, lengths.first});
+    sketch.off.z.stops.push_back({at, lengths.second});
+  }
 }
 
 double largest_x(const Curve& curve) {
@@ -74,12 +116,43 @@ void SketchSurfaceReader::read_vertical(const TomlTable& table, SurfaceSketch& s
   if (downwards) std::reverse(points.begin(), points.end());
 }
 
+void SketchSurfaceReader::read_stops_around_axis(const TomlValue& value, SurfaceSketch& sketch) {
+  const auto place = [](const TomlValue& at) { return at.number(0, {0, 1}); };
+  const auto loop = [&](const TomlValue& stop) {
+    const std::optional<DrawnCurve> drawn = curves_.read(stop, SketchView::top);
+    if (!drawn) return Curve{};
+    note(stop, *drawn, fault_of_loop_around_axis(drawn->curve, symmetry_));
+    return counter_clockwise(drawn->curve);
+  };
+  const std::vector<TomlValue> listed = value.values();
+  if (listed.size() > max_loops) {
+    return value.error("has more than " + std::to_string(max_loops) + " stops", "leave some out: loops blend between");
+  }
+  for (auto& stop : read_stops<Curve>(value, place, loop,
+                                      {.one = "write [place, curve] with a place from 0 to 1, as in [0.4, \"#ridges\"]",
+                                      .all = "write one curve, or one for each of several places"})) {
+    sketch.stops.push_back(stop.at);
+    sketch.horizontal.push_back(std::move(stop.value));
+  }
+  if (std::any_of(sketch.horizontal.begin(), sketch.horizontal.end(), [](auto& c) { return c.points.empty(); })) return;
+
+  // How large each is does not matter: the vertical curve says it.
+  SurfaceSketch alone = sketch;
+  const double size = reference_radii(sketch).outer;
+  for (Curve& curve : sketch.horizontal) {
+    alone.horizontal = {curve};
+    const double factor = size / reference_radii(alone).outer;
+    if (factor != 1 && std::isfinite(factor)) curve = scaled_by(std::move(curve), factor);
+  }
+}
+
 void SketchSurfaceReader::read_around_axis(const TomlTable& table, SurfaceSketch& sketch) {
   const TomlValue value = table.get("horizontal");
   if (!value.given()) {
     sketch.horizontal = {circle(std::max(largest_x(sketch.vertical), 1e-3))};
     return;
   }
+  if (value.is(TomlNode::Kind::array)) return read_stops_around_axis(value, sketch);
   const std::optional<DrawnCurve> loop = curves_.read(value, SketchView::top);
   if (!loop) return;
   sketch.horizontal = {counter_clockwise(loop->curve)};
@@ -145,7 +218,7 @@ void SketchSurfaceReader::read_in_fold(const TomlTable& table, SurfaceSketch& sk
 void SketchSurfaceReader::read_paint(const TomlTable& table, SurfaceSketch& sketch) const {
   const auto share = [](const TomlValue& value) { return value.number(0, {0, 1}); };
   const auto* folds = std::get_if<FoldSymmetry>(&symmetry_);
-  const PaintedSurface surface{sketch.type, folds ? static_cast<int>(folds->fold_angles.size()) : 0};
+  const PaintedSurface surface{sketch.type, folds ? static_cast<int>(folds->fold_angles.size()) : 0, laws_};
   sketch.blur = read_painted_blur(table.get("blur"));
   sketch.roundness = read_ramp<double>(table.get("roundness"), 0.0, share);
   sketch.front = read_surface_side(table.need("front").table(), parts_, surface);
@@ -160,13 +233,14 @@ SurfaceSketch SketchSurfaceReader::read(const TomlTable& table) {
   sketch.name = table.get("name").text();
   sketch.type =
       table.need("type").choice({"around-axis", "in-fold"}) == 0 ? SurfaceType::around_axis : SurfaceType::in_fold;
+  if (table.has("reference_azimuth")) sketch.reference_azimuth = table.get("reference_azimuth").angle(0, {-360, 360});
   read_vertical(table, sketch);
   if (sketch.type == SurfaceType::around_axis) {
     read_around_axis(table, sketch);
   } else {
     read_in_fold(table, sketch);
   }
-  if (table.has("reference_azimuth")) sketch.reference_azimuth = table.get("reference_azimuth").angle(0, {-360, 360});
+  if (table.has("off")) read_off(table.get("off"), sketch);
   sketch.taper = table.get("taper").number(sketch.taper, {0.05, 4});
   read_paint(table, sketch);
   sketch.around = table.get("around").integer(sketch.around, 3, 1024);

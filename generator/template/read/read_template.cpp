@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "generator/base/units.h"
-#include "generator/template/bend_strain.h"
+#include "generator/template/read/read_axis.h"
 #include "generator/template/read/read_detail.h"
 #include "generator/template/read/read_grains.h"
+#include "generator/template/read/read_law.h"
 #include "generator/template/read/read_material.h"
 #include "generator/template/read/read_mesh.h"
 #include "generator/template/read/read_ripeness.h"
@@ -118,8 +119,8 @@ std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SketchSurfaceRea
     names.push_back(read_name(surface.need("name"), names));
     surfaces.push_back(reader.read(surface));
     const SurfaceSketch& sketch = surfaces.back();
-    triangles +=
-        2.0 * sketch.around * sketch.along * static_cast<double>(std::max<std::size_t>(1, sketch.horizontal.size()));
+    const std::size_t grids = sketch.type == SurfaceType::in_fold ? sketch.horizontal.size() : 1;
+    triangles += 2.0 * sketch.around * sketch.along * static_cast<double>(std::max<std::size_t>(1, grids));
     if (triangles > max_triangles) {
       surface.error("makes more than 2 000 000 triangles of the fruit", "lower \"around\" or \"along\"");
       break;
@@ -168,19 +169,6 @@ double set_on_ground(std::vector<SurfaceSketch>& surfaces) {
   return lowest;
 }
 
-/// Reads the bend, which must leave room for the drawing.
-void read_bend_of(Template& fruit, const TomlValue& value) {
-  fruit.bend = read_bend(value.table());
-  if (!fruit.meshes.empty())
-    return value.error("bends drawn curves only, but there are meshes", "bend them all in the modelling tool");
-  const BendStrain strain = bend_strain(fruit);
-  if (strain.pressing <= max_strain.pressing && strain.lean <= max_strain.lean) return;
-  const bool folds = strain.pressing > max_strain.pressing;
-  value.error(folds ? "folds the fruit where it is wide" : "turns the axis by more than 75 degrees from upright",
-              "make angle and swing smaller");
-  fruit.bend = {};
-}
-
 /// Reads densities part by part, from air to lead. Other parts are as dense as the fruit.
 std::vector<double> read_densities(const TomlTable& table, const Template& fruit) {
   std::vector<double> densities;
@@ -196,6 +184,12 @@ void read_head(const TomlTable& root, Template& fruit) {
   fruit.density = root.get("density").number(fruit.density, {10, 20000});
   fruit.parts = read_parts(root.need("parts"));
   if (root.has("densities")) fruit.densities = read_densities(root.get("densities").table(), fruit);
+}
+
+std::vector<std::string> names_of(const std::vector<LawSketch>& laws) {
+  std::vector<std::string> names;
+  for (const LawSketch& law : laws) names.push_back(law.name);
+  return names;
 }
 
 /// How the drawing lies; its lowest point was `lowest` metres high.
@@ -224,8 +218,9 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
   const std::optional<Sketch> sketch =
       read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt, svg);
   fruit.symmetry = read_symmetry(root.need("symmetry").table(), sketch ? &*sketch : nullptr);
-  const CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
-  fruit.surfaces = read_surfaces(root, SketchSurfaceReader(curves, fruit.parts, fruit.symmetry));
+  CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
+  if (root.has("law")) fruit.laws = read_laws(root.get("law").table());
+  fruit.surfaces = read_surfaces(root, SketchSurfaceReader(curves, fruit.parts, fruit.symmetry, names_of(fruit.laws)));
   place_views(sketch, unit, set_on_ground(fruit.surfaces), drawn);
   fruit.meshes = read_meshes(root, fruit);
   check_symmetry(root, fruit);
@@ -239,7 +234,7 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
     fruit.grains.back().name = name;
   }
   if (root.has("part")) fruit.spared = read_spared(root.get("part").table(), fruit);
-  if (root.has("bend")) read_bend_of(fruit, root.get("bend"));
+  read_axis_of(root, curves, fruit);
   if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table(), fruit);
   if (root.has("material")) fruit.materials = read_materials(root.get("material").table(), fruit.parts);
   if (root.has("noise")) fruit.noise = read_noise(root.get("noise").table());

@@ -10,11 +10,14 @@ namespace pomona {
 
 namespace {
 
-BendVariation read_bend_variation(const TomlTable& table) {
+BendVariation read_bend_variation(const TomlTable& table, bool has_line) {
   BendVariation bend;
   bend.angle = table.get("angle").angle(0, {0, 45});
   bend.swing = table.get("swing").angle(0, {0, 45});
   bend.around = table.get("around").boolean(false);
+  if (bend.around && has_line) {
+    table.get("around").error("is given, but the axis is drawn", "leave it out: it bends in the plane of its line");
+  }
   return bend;
 }
 
@@ -68,29 +71,21 @@ std::vector<CountVariation::Presence> read_presence(const TomlTable& table, cons
   return present;
 }
 
-VariationSketch without_counts(const TomlTable& table) {
+VariationSketch without_counts(const TomlTable& table, bool has_line) {
   VariationSketch variation;
   variation.size = table.get("size").number(0, {0, 0.25});
   variation.profile = table.get("profile").number(0, {0, 0.25});
-  if (table.has("bend")) variation.bend = read_bend_variation(table.get("bend").table());
+  if (table.has("bend")) variation.bend = read_bend_variation(table.get("bend").table(), has_line);
   return variation;
 }
 
 }  // namespace
 
 VariationSketch read_variation(const TomlTable& table, const Template& fruit) {
-  VariationSketch variation = without_counts(table);
+  VariationSketch variation = without_counts(table, !fruit.bend.line.empty());
   if (table.has("folds")) variation.counts.folds = read_fold_counts(table.get("folds"), fruit);
   if (table.has("present")) variation.counts.present = read_presence(table.get("present").table(), fruit);
   return variation;
-}
-
-AxisBend read_bend(const TomlTable& table) {
-  AxisBend bend;
-  bend.angle = table.get("angle").angle(0, {-150, 150});
-  bend.swing = table.get("swing").angle(0, {-150, 150});
-  bend.direction = table.get("direction").angle(0, {-360, 360});
-  return bend;
 }
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Reads the [variation] and [bend] of a template file.
+// Reads the [variation] of a template file.
 #pragma once
 
 #include "generator/template/axis_bend.h"
@@ -9,6 +9,5 @@ namespace pomona {
 
 /// Reads all but colours, which come last (read_ripeness.h). `fruit` has its symmetry and surfaces already.
 VariationSketch read_variation(const TomlTable& table, const Template& fruit);
-AxisBend read_bend(const TomlTable& table);
 
 }  // namespace pomona

@@ -1,0 +1,104 @@
+#include "generator/template/read/read_law.h"
+
+#include <cmath>
+
+#include "generator/base/units.h"
+#include "generator/template/read/read_stops.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t max_laws = 16;
+
+/// Whether so many seats later comes one beside the first: by the golden angle k seats are 161 to 170 degrees / k
+/// beside whole turns where k is a Fibonacci number.
+bool is_beside(int seats, double angle) { return seats * std::fabs(angle) < radians(240); }
+
+/// Steps of both families can only be equally long if the larger number comes nearer to its whole turns.
+void read_pair(const TomlTable& table, LawSketch& law) {
+  const TomlValue value = table.need("pair");
+  const std::vector<TomlValue> pair = value.values();
+  if (pair.size() != 2) {
+    if (value.is(TomlNode::Kind::array)) value.error("must be two numbers of spirals", "write [8, 13]");
+    return;
+  }
+  law.low_pair = pair[0].integer(law.low_pair, 1, 377);
+  law.high_pair = pair[1].integer(law.high_pair, 2, 610);
+  const double low = beside_whole_turns(law.low_pair * law.divergence);
+  const double high = beside_whole_turns(law.high_pair * law.divergence);
+  const bool are_beside = is_beside(law.low_pair, low) && is_beside(law.high_pair, high);
+  if (are_beside && law.low_pair < law.high_pair && low * low > high * high) return;
+  value.error("are no spirals of this divergence",
+              "write the smaller number first; 137.508 degrees make [3, 5], [5, 8], [8, 13], [13, 21], ...");
+}
+
+void read_band(const TomlValue& value, LawSketch& law) {
+  if (!value.given()) return;
+  const std::vector<TomlValue> ends = value.values();
+  if (ends.size() != 2) return value.error("is not a band", "write its lower and upper end, as in [0.2, 0.8]");
+  law.from = ends[0].number(0, {0, 1});
+  law.to = ends[1].number(1, {0, 1});
+  if (!(law.to > law.from)) value.error("is empty", "write the lower end first");
+}
+
+LawSketch read_law(const TomlTable& table) {
+  LawSketch law;
+  law.kind = static_cast<LawSketch::Kind>(table.need("kind").choice({"spiral", "parastichies", "rows", "whorls"}));
+  const bool spirals = law.kind == LawSketch::Kind::spiral || law.kind == LawSketch::Kind::parastichies;
+  if (spirals) law.divergence = table.get("divergence").angle(law.divergence, {1, 359});
+  if (law.kind == LawSketch::Kind::parastichies) {
+    read_pair(table, law);
+  } else {
+    law.spacing = read_ramp<double>(table.need("spacing"), 0.005, [](const TomlValue& stop) {
+      return stop.length(0.005, {1e-4, 1});
+    });
+  }
+  if (law.kind == LawSketch::Kind::rows) {
+    law.count = table.need("rows").integer(1, 1, 512);
+    law.stagger = table.get("stagger").number(law.stagger, {0, 1});
+    law.twist = table.get("twist").angle(0, {-3600, 3600});
+  }
+  if (law.kind == LawSketch::Kind::whorls) {
+    law.count = table.need("count").integer(1, 1, 512);
+    law.turn = table.get("turn").angle(pi / law.count, {-360, 360});
+  }
+  law.start = table.get("start").angle(0, {-360, 360});
+  read_band(table.get("band"), law);
+  law.jitter = table.get("jitter").number(0, {0, 1});
+  return law;
+}
+
+}  // namespace
+
+std::vector<LawSketch> read_laws(const TomlTable& table) {
+  std::vector<LawSketch> laws;
+  for (const std::string& name : table.keys()) {
+    const TomlValue value = table.get(name);
+    if (laws.size() == max_laws) {
+      value.error("is one of more than " + std::to_string(max_laws) + " laws");
+      break;
+    }
+    laws.push_back(read_law(value.table().called("law \"" + name + "\"")));
+    laws.back().name = name;
+  }
+  return laws;
+}
+
+std::optional<int> read_law_name(const TomlTable& table, const std::vector<std::string>& laws, SurfaceType type) {
+  const TomlValue value = table.get("law");
+  if (table.has("spacing")) {
+    table.get("spacing").error("is given beside a law, which says where they sit", "leave one of the two out");
+  }
+  if (type == SurfaceType::in_fold) {
+    value.error("is for surfaces around the axis", "strew them with \"spacing\"");
+    return {};
+  }
+  if (laws.empty()) {
+    value.error("is given, but the template has no laws", "write a table [law." + value.text("NAME") + "]");
+    return {};
+  }
+  return value.choice(laws);
+}
+
+}  // namespace pomona
