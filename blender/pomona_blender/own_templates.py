@@ -42,6 +42,8 @@ class POMONA_OT_from_mesh(NeedsPomona, bpy.types.Operator, ExportHelper):
     knives: bpy.props.StringProperty(name="Knives", default="half")
     depth: bpy.props.FloatProperty(name="Rim", description="How deep its colour passes into the inner one",
                                    default=0.006, min=0.0, soft_max=0.1, unit="LENGTH", precision=4)
+    grain: bpy.props.FloatProperty(name="Grain", description="How far colours stray", default=0.03, min=0.0,
+                                   max=0.2)
     outside: bpy.props.FloatVectorProperty(name="Outside", subtype="COLOR", size=3, min=0, max=1,
                                            default=(0.35, 0.16, 0.06))
     rim: bpy.props.FloatVectorProperty(name="Rim Colour", subtype="COLOR", size=3, min=0, max=1,
@@ -58,7 +60,8 @@ class POMONA_OT_from_mesh(NeedsPomona, bpy.types.Operator, ExportHelper):
         name = template_name(thing.name)
         write_mesh(thing, path.with_name(f"{name}.obj"), self.depth, context)
         colors = [hex_color(color) for color in (self.outside, self.rim, self.inside)]
-        path.write_text(template_text(thing.name, f"{name}.obj", *colors), encoding="utf-8")
+        text = template_text(thing.name, f"{name}.obj", colors, max(thing.dimensions), self.grain)
+        path.write_text(text, encoding="utf-8")
         root = new_root(context, name, "cut", os.fspath(path))
         root.location = (0, 0, 0)  # the mesh's points are the world's
         set_knives(root.pomona, self.knives.split())

@@ -19,8 +19,14 @@ def hex_color(linear: Sequence[float]) -> str:
     return "#" + "".join(f"{round(255 * part):02x}" for part in srgb)
 
 
-def template_text(title: str, mesh_file: str, outside: str, rim: str, inside: str) -> str:
-    """The file. The colours, #rrggbb: of the skin, right under it, and from the inner surface on."""
+def template_text(title: str, mesh_file: str, colors: Sequence[str], size: float, grain: float) -> str:
+    """The file.
+
+    colors  #rrggbb: of the skin, right under it, and from the inner surface on
+    size    metres, of the widest side; grain is as fine as a twelfth of it, and finer
+    grain   how far colours stray, OKLab; 0 is none
+    """
+    outside, rim, inside = colors
     name = template_name(title)
     return f"""\
 # {title}, from Blender.
@@ -45,4 +51,11 @@ file = {json.dumps(mesh_file)}
 object = "inside"
 front = {{ part = "flesh", color = "{inside}" }}
 back = {{ part = "flesh", color = "{inside}" }}
-"""
+""" + (noise_text([outside, inside], 12 / size, grain) if grain > 0 else "")
+
+
+def noise_text(colors: Sequence[str], frequency: float, grain: float) -> str:
+    """frequency: of the coarsest of four bands, cycles per metre."""
+    weights = ", ".join(f"{grain * share:.4g}" for share in (0.7, 1.0, 1.0, 0.7))
+    keys = [f'[[noise.key]]\ncolor = "{color}"\nweights = [{weights}]\n' for color in colors]
+    return "\n".join([f"\n[noise]\nbase_frequency = {frequency:.4g}\n", *keys])
