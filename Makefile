@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures .npm build test python test-python test-programs golden-renew golden-mutants mutants semantic-faults verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures .npm build test python test-python blender-addon test-blender test-programs golden-renew golden-mutants mutants semantic-faults verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -38,6 +38,13 @@ test-python: python ## the module's tests, on the wheel as it is installed; FULL
 	@scripts/setup.sh test-python
 	ctest --test-dir build --output-on-failure
 	$(if $(FULL),cmake --build build --target python_bytes_full)
+
+blender-addon: build ## the add-on for Blender as a .zip in build/blender; docs/guides/blender.md
+	@blender/make_addon.py build/pomona build/blender
+
+test-blender: python blender-addon ## the add-on tried by Blender: with the program and with the Python module, and in a window under Xvfb; two minutes
+	@scripts/setup.sh programs
+	tests/blender/addon_test.py build/pomona build/blender out/test_blender --module build-python/module --window
 
 # Other programs, and what runs in node or in a browser.
 .npm:
@@ -90,6 +97,7 @@ lint: .npm ## formatting, the naming of our own headers, and the types of our sc
 	@scripts/setup.sh build test lint
 	scripts/format.sh --check
 	scripts/check_naming.sh
+	mypy --config-file blender/mypy.ini blender
 	npx tsc --project tsconfig.json
 	npx tsc --project tsconfig.strict.json
 

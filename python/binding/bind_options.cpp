@@ -50,6 +50,12 @@ std::vector<std::string> takers_of(const OrderOption& option) {
   return all;
 }
 
+std::vector<std::string> formats_of(const OrderOption& option) {
+  std::vector<std::string> all;
+  for (const Format format : option.heeded) all.emplace_back(name_of(format));
+  return all;
+}
+
 const char* name_of(OrderStep step) {
   return step == OrderStep::grow ? "grow" : step == OrderStep::cut ? "cut" : "write";
 }
@@ -65,6 +71,7 @@ py::dict said_of(const OrderOption& option) {
   said["range"] = py::none();
   said["choices"] = std::vector<std::string>();
   said["takers"] = takers_of(option);
+  said["formats"] = formats_of(option);
   said["step"] = name_of(option.step);
   std::visit(KindOf{option, said}, option.value);
   return said;

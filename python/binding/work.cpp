@@ -60,14 +60,15 @@ void warn(const std::vector<std::string>& warnings) {
   if (!warnings.empty()) py::module_::import("pomona._telling").attr("warn")(warnings);
 }
 
-/// Until the work is over. What Python throws in the meantime stops it.
+/// Until the work is over. What Python throws in the meantime stops it: so `progress` is called again and again while
+/// long work has nothing new to report.
 std::exception_ptr watch(Message& message, const py::object& progress, std::atomic<bool>& stop) {
   std::exception_ptr thrown;
+  std::optional<ProgressReport> report;
   for (bool over = false; !over;) {
-    std::optional<ProgressReport> report;
     {
       const py::gil_scoped_release others_may_run;
-      report = message.wait(over);
+      if (std::optional<ProgressReport> news = message.wait(over)) report = std::move(news);
     }
     if (thrown) continue;
     try {

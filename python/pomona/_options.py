@@ -28,6 +28,8 @@ class Option(NamedTuple):
     """The step of the road that needs it first: grow, cut or write"""
     type: str
     """What help calls a text"""
+    formats: Tuple[str, ...]
+    """The formats on which it has an effect, as "glb"; none means all"""
 
 
 def options():
@@ -36,7 +38,8 @@ def options():
 
 
 def read_table():
-    rows = ({**row, "choices": tuple(row["choices"]), "takers": tuple(row["takers"])} for row in _core.options())
+    rows = ({**row, "choices": tuple(row["choices"]), "takers": tuple(row["takers"]),
+             "formats": tuple(row["formats"])} for row in _core.options())
     return tuple(Option(**row) for row in rows)
 
 

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""The add-on for Blender: packed, installed into a Blender that has nothing of a person's, and tried there.
+
+    addon_test.py PROGRAM ADDON_FOLDER SCRATCH [--module FOLDER] [--window]
+
+ADDON_FOLDER gets the .zip if it is not there. --module tries it by the Python package in FOLDER, too; --window in a
+window under Xvfb."""
+
+import argparse
+import ast
+import io
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+import zipfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "blender"))
+import make_addon  # noqa: E402
+
+parser = argparse.ArgumentParser()
+for name in ("program", "addon_folder", "scratch"):
+    parser.add_argument(name, type=lambda word: pathlib.Path(word).resolve())
+parser.add_argument("--module", type=lambda word: pathlib.Path(word).resolve())
+parser.add_argument("--window", action="store_true")
+said = parser.parse_args()
+
+
+def packed():
+    """The .zip, made anew: it takes ten seconds."""
+    said.addon_folder.mkdir(parents=True, exist_ok=True)
+    path = said.addon_folder / f"pomona_blender-{make_addon.version_of(str(said.program))}.zip"
+    make_addon.pack(make_addon.contents(str(said.program)), path)
+    return path
+
+
+ADDON = packed()
+
+
+def blender(script, *words, before=("blender", "-b"), name="", seconds=300):
+    """Runs a script in a Blender with a home of its own. Blender's Python looks along PATH for its own home: no other
+    Python may stand there first."""
+    home = said.scratch / f"home_{name}"
+    shutil.rmtree(home, ignore_errors=True)
+    home.mkdir(parents=True)
+    environment = {key: value for key, value in os.environ.items() if not key.startswith(("BLENDER", "XDG", "PYTHON"))}
+    environment |= {"HOME": str(home), "PATH": "/usr/bin:/bin", "LIBGL_ALWAYS_SOFTWARE": "1"}
+    flags = ["--factory-startup", "--python-exit-code", "1", "-t", "2", "-P", HERE / script, "--"]
+    return subprocess.run([*before, *flags, ADDON, said.program, said.scratch / name, *words], capture_output=True,
+                          text=True, timeout=seconds, env=environment)
+
+
+class Addon(unittest.TestCase):
+    def assert_passed(self, done):
+        self.assertEqual(done.returncode, 0, done.stdout[-6000:] + done.stderr[-6000:])
+
+    def test_the_zip_serves_old_and_new_blenders(self):
+        with zipfile.ZipFile(ADDON) as files:
+            names = files.namelist()
+            self.assertEqual({name.split("/")[0] for name in names}, {"pomona_blender"}, "one folder")
+            opening = files.read("pomona_blender/__init__.py").decode()
+            manifest = files.read("pomona_blender/blender_manifest.toml").decode()
+        version = make_addon.version_of(str(said.program))
+        tree = next(node for node in ast.parse(opening).body if isinstance(node, ast.Assign))
+        info = ast.literal_eval(tree.value)  # as Blender reads it, without running it
+        self.assertEqual(".".join(map(str, info["version"])), version)
+        import tomllib
+
+        told = tomllib.loads(manifest)
+        self.assertEqual((told["version"], told["id"], told["type"]), (version, "pomona_blender", "add-on"))
+        self.assertLessEqual(len(told["tagline"]), 64)
+        self.assertFalse(re.search(r"[.!?]$", told["tagline"]), "as the extensions' checker wants it")
+        self.assertLessEqual({"schema_version", "name", "maintainer", "blender_version_min", "license"}, set(told))
+        listed = subprocess.run([said.program, "list"], capture_output=True, text=True, check=True).stdout
+        pictures = {name.rsplit("/", 1)[1][:-4] for name in names if name.endswith(".png")}
+        self.assertEqual(pictures, {line.split("\t")[0] for line in listed.splitlines()})
+
+    def test_the_same_sources_give_the_same_bytes(self):
+        again = io.BytesIO()
+        with zipfile.ZipFile(ADDON) as files:
+            make_addon.pack({name.split("/", 1)[1]: files.read(name) for name in files.namelist()}, again)
+        self.assertEqual(again.getvalue(), ADDON.read_bytes())
+
+    def test_by_the_program(self):
+        self.assert_passed(blender("in_blender.py", name="program"))
+
+    @unittest.skipUnless(said.module, "--module")
+    def test_by_the_module(self):
+        self.assert_passed(blender("in_blender.py", said.module, name="module"))
+
+    @unittest.skipUnless(said.window, "--window")
+    def test_in_a_window(self):
+        self.assert_passed(blender("in_window.py", name="window", before=(
+            "xvfb-run", "-a", "-s", "-screen 0 1280x800x24", "blender")))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
