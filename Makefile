@@ -160,7 +160,7 @@ road: .bench ## a new variant of every template, halved, to the bytes of its .gl
 	cmake --build build --target road -j $(JOBS)
 	build/bench/road
 
-cuts: .bench ## 112 000 random and degenerate cuts of all templates, planes, strokes and closed knives: out/cuts.md and .json; stop it and it goes on later
+cuts: .bench ## 112 000 random and degenerate cuts of all templates, planes, strokes and closed knives, and 20 000 of turned blocks along their faces: out/cuts.md and .json; stop it and it goes on later
 	cmake --build build --target cuts -j $(JOBS)
 	@mkdir -p out
 	build/bench/cuts --out out/cuts.md --json out/cuts.json

@@ -1,9 +1,11 @@
 // A hundred thousand random and difficult cuts of every template at about 2 000 triangles: nothing aborts, no chain and
 // no piece is open, areas and volumes agree with clipping triangles one by one.
-//   cuts [FRUIT...] [--random N] [--degenerate N] [--pairs N] [--strokes N] [--solids N] [--peels N] [--triangles N]
-//   [--out FILE] [--json FILE] [--threads N]
+// And thousands of cuts of turned blocks along their own faces.
+//   cuts [FRUIT...] [--random N] [--degenerate N] [--pairs N] [--strokes N] [--solids N] [--peels N] [--blocks N]
+//   [--triangles N] [--out FILE] [--json FILE] [--threads N]
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,6 +24,7 @@
 #include "generator/mesh/weld.h"
 #include "render/export/output.h"
 #include "tests/cut/cut_oracle.h"
+#include "tests/cut/turned_blocks.h"
 
 namespace {
 
@@ -31,7 +34,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> fruits;
-  int random = 80000, degenerate = 10000, pairs = 10000, strokes = 10000, solids = 2200, peels = 440;
+  int random = 80000, degenerate = 10000, pairs = 10000, strokes = 10000, solids = 2200, peels = 440, blocks = 20000;
   int triangles = 2000;
   std::string out, json;
   int threads = 0;
@@ -110,14 +113,29 @@ std::vector<Knife> knives_of(const oracle::CutOracle& oracle, const std::string&
   return {oracle.random_plane(random, 2 * number), oracle.random_plane(random, 2 * number + 1)};
 }
 
+constexpr const char* block_name = "turned block";
+
+/// Of a turned block, next to its faces.
+oracle::CutFacts facts_of_block(std::uint64_t number) {
+  const RandomStream random({6, 0}, "bench/cuts/blocks");
+  const oracle::BlockFaults faults = oracle::faults_of(oracle::turned_block_cut(random, number));
+  oracle::CutFacts facts;
+  facts.open_pieces = std::max(faults.open, faults.without_volume);
+  facts.volume_error = faults.volume_error;
+  return facts;
+}
+
+/// Of cut number i.
+using FactsOf = std::function<oracle::CutFacts(int i)>;
+
 /// One chunk's figures.
-Json measured(const oracle::CutOracle& oracle, const std::string& kind, const std::string& fruit, int first, int count,
+Json measured(const FactsOf& facts_of, const std::string& kind, const std::string& fruit, int first, int count,
               Threads threads) {
   std::vector<oracle::CutFacts> facts(static_cast<std::size_t>(count));
   std::vector<std::string> abort(facts.size());
   parallel_for(facts.size(), threads, [&](std::size_t i) {
     try {
-      facts[i] = oracle.facts(knives_of(oracle, kind, fruit, first + static_cast<int>(i)));
+      facts[i] = facts_of(first + static_cast<int>(i));
     } catch (const std::exception& error) {
       abort[i] = error.what();
     }
@@ -199,19 +217,25 @@ int make_report(const Options& options) {
   const auto share = [&](int all) {
     return (all + static_cast<int>(names.size()) - 1) / static_cast<int>(names.size());
   };
+  const auto add = [&](const FactsOf& facts_of, const std::string& kind, const std::string& fruit, int all) {
+    for (int first = 0; first < all; first += chunk) {
+      const int count = std::min(chunk, all - first);
+      if (is_done(rows, fruit, kind, first, count)) continue;
+      rows.push_back(measured(facts_of, kind, fruit, first, count, {options.threads}));
+      if (!options.json.empty()) write_whole(options.json, Json(rows).dump(1) + "\n");
+    }
+  };
+  add([](int i) { return facts_of_block(static_cast<std::uint64_t>(i)); }, "blocks", block_name, options.blocks);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const double detail = detail_for(names[i], options.triangles);
-    const DiffusionSurfaces fruit = thinned(grow_fruit(names[i], detail).grown.sheets, options.triangles);
+    const std::string& name = names[i];
+    const double detail = detail_for(name, options.triangles);
+    const DiffusionSurfaces fruit = thinned(grow_fruit(name, detail).grown.sheets, options.triangles);
     const oracle::CutOracle oracle(fruit);
     for (const auto& [kind, all] : {std::pair("degenerate", options.degenerate), std::pair("pairs", options.pairs),
                                     std::pair("strokes", options.strokes), std::pair("solids", options.solids),
                                     std::pair("peels", options.peels), std::pair("random", options.random)}) {
-      for (int first = 0; first < share(all); first += chunk) {
-        const int count = std::min(chunk, share(all) - first);
-        if (is_done(rows, names[i], kind, first, count)) continue;
-        rows.push_back(measured(oracle, kind, names[i], first, count, {options.threads}));
-        if (!options.json.empty()) write_whole(options.json, Json(rows).dump(1) + "\n");
-      }
+      add([&, kind = std::string(kind)](int n) { return oracle.facts(knives_of(oracle, kind, name, n)); }, kind, name,
+          share(all));
     }
     progress.report("fruits", i + 1, names.size());
   }
@@ -235,6 +259,8 @@ int main(int argc, char** argv) {
   app.add_option("--solids", options.solids, "Cuts along a closed surface, by turns out for trouble")
       ->capture_default_str();
   app.add_option("--peels", options.peels, "Peels, every other one in a strip")->capture_default_str();
+  app.add_option("--blocks", options.blocks, "Cuts of turned blocks next to two to six of their faces")
+      ->capture_default_str();
   app.add_option("--triangles", options.triangles, "About so many triangles a fruit")->capture_default_str();
   app.add_option("--out", options.out, "Write the table to this file too");
   app.add_option("--json", options.json, "Write the figures to this file as JSON; cuts already there are kept");

@@ -13,6 +13,7 @@
 #include "generator/knife/parse_knife.h"
 #include "tests/cut/cut_checks.h"
 #include "tests/cut/cut_oracle.h"
+#include "tests/cut/turned_blocks.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
@@ -170,6 +171,19 @@ TEST(RobustCut, AlongTheFacesOfATurnedBlock) {
       }
       EXPECT_NEAR(sum, volume, 1e-6 * volume);
     }
+  }
+}
+
+/// A sample of the blocks of bench/cuts; the first ones have faces on both sides of the distance that counts as flush.
+TEST(RobustCut, OfTurnedBlocksNextToTheirFaces) {
+  const RandomStream random({6, 0}, "bench/cuts/blocks");
+  std::vector<std::uint64_t> numbers{1634, 1670, 1703, 2069, 3389};
+  for (std::uint64_t i = 0; i < 500; ++i) numbers.push_back(i);
+  for (const std::uint64_t number : numbers) {
+    const oracle::BlockFaults faults = oracle::faults_of(oracle::turned_block_cut(random, number));
+    EXPECT_EQ(faults.open, 0) << number;
+    EXPECT_EQ(faults.without_volume, 0) << number;
+    EXPECT_LE(faults.volume_error, 1e-6) << number;
   }
 }
 

@@ -170,6 +170,27 @@ TEST(SurfaceFile, WithoutFlagsTheOutermostShellIsSkin) {
   EXPECT_EQ(found.of_triangle.back(), Bodies::none);
 }
 
+TEST(SurfaceFile, AShellWhoseHiddenSideFacesInwardsIsRefusedByItsName) {
+  Paint wall;
+  wall.back_hidden = true;
+  const auto told = [](const DiffusionSurfaces& surfaces) -> std::string {
+    try {
+      parse_surfaces(write_surfaces(surfaces), "a.ply");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const DiffusionSurfaces skin = sphere(1, 4, skin_paint()), alone = sphere(1, 4, wall),
+                          beside = moved(sphere(0.5, 4, wall), {3, 0, 0});
+  EXPECT_THAT(told(alone), testing::HasSubstr("surface \"surface\" is inside out"));
+  EXPECT_THAT(told(joined(skin, beside)), testing::HasSubstr("is inside out: the side of its shell at 3"));
+  EXPECT_THAT(told(joined(alone, sphere(0.5, 4, wall))), testing::HasSubstr("is inside out"));
+  EXPECT_EQ(told(joined(skin, sphere(0.5, 4, wall))), "no error") << "the wall of a hollow";
+  EXPECT_EQ(told(joined(skin, sphere(0.5, 4, skin_paint()))), "no error") << "a seed in the flesh";
+  EXPECT_EQ(told(turned_inside_out(skin)), "no error") << "both its faces and its flags are turned";
+}
+
 TEST(SurfaceFile, ASheetOnTheSkinsOwnVerticesStaysInner) {
   // A triangle inside a ball that uses three of the skin's vertices.
   DiffusionSurfaces ball = sphere(1, 4);

@@ -86,11 +86,38 @@ class Splitter {
     flush_ = steps * step * std::sqrt(square);
   }
 
+  /// Leaves a gap: what is not flush lies twice as far away as what is. Where faces lay on both sides of a limit,
+  /// rounding would say of each which side it is on, and planes that meet there would not fit together.
+  void widen_flush() {
+    const double widest = 8 * flush_;
+    std::vector<double> distances;  // of triangles, by their farthest corner
+    for (int plane = 0; plane < planes_.count(); ++plane) {
+      if (planes_[plane].same_as != plane || !is_turned(plane)) continue;
+      for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
+        if (!surfaces_.is_boundary(t)) continue;
+        const glm::uvec3& corner = surfaces_.triangle[t];
+        double farthest = 0;
+        for (int k = 0; k < 3 && farthest <= widest; ++k)
+          farthest = std::max(farthest, std::fabs(signed_distance(planes_[plane].plane, mesh_.point[corner[k]])));
+        if (farthest <= widest && !is_thin(welded_corners(t))) distances.push_back(farthest);
+      }
+    }
+    std::sort(distances.begin(), distances.end());
+    for (const double distance : distances)
+      if (distance <= 2 * flush_) flush_ = std::max(flush_, distance);
+  }
+
+  std::array<std::uint32_t, 3> welded_corners(std::size_t triangle) const {
+    const glm::uvec3& corner = surfaces_.triangle[triangle];
+    return {mesh_.point_of[corner.x], mesh_.point_of[corner.y], mesh_.point_of[corner.z]};
+  }
+
   /// All before the first split: a point made between two that lie on a plane is then known to lie on it, too.
   void find_points_on_planes() {
     // One plane alone cuts right however near it lies; it takes two for rounding to leave something open.
     int turned = 0;
     for (int plane = 0; plane < planes_.count(); ++plane) turned += is_turned(plane) ? 1 : 0;
+    if (turned > 1) widen_flush();
     for (int plane = 0; plane < planes_.count(); ++plane) {
       if (planes_[plane].same_as != plane) continue;
       for (std::size_t p = 0; p < input_points_; ++p) {
@@ -125,9 +152,7 @@ class Splitter {
     bool found = false;
     for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
       if (!surfaces_.is_boundary(t)) continue;
-      const glm::uvec3& corner = surfaces_.triangle[t];
-      const std::array<std::uint32_t, 3> p{mesh_.point_of[corner.x], mesh_.point_of[corner.y],
-                                           mesh_.point_of[corner.z]};
+      const std::array<std::uint32_t, 3> p = welded_corners(t);
       const auto there = std::count_if(p.begin(), p.end(), lies_there);
       if (there < known || there == 3 || !std::all_of(p.begin(), p.end(), is_near) || is_thin(p)) continue;
       for (const std::uint32_t point : p) mesh_.planes_of[point] = mesh_.sets.with(mesh_.planes_of[point], plane);

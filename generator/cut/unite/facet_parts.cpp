@@ -325,6 +325,8 @@ class FacetParter {
   }
 
   std::vector<std::array<std::uint32_t, 3>> triangles_of(const Polygon& polygon) const {
+    // Ears are quicker for few corners: without them, uniting bodies takes 1.3 to 1.4 times as long. But their time
+    // grows with the cube of the corners.
     constexpr std::size_t few = 12;
     if (polygon.size() > few || is_bridged(polygon)) {
       if (const auto triangles = delaunay(polygon)) {

@@ -136,6 +136,7 @@ class SurfaceReader {
     round_positions();
     check_whole();
     name_surfaces_and_parts();
+    refuse_inside_out();
     return with_outer_skin(std::move(surfaces_));
   }
 
@@ -161,6 +162,24 @@ class SurfaceReader {
   }
 
  private:
+  /// The file itself says which side faces air, and has no key to turn it.
+  void refuse_inside_out() const {
+    const std::optional<std::size_t> triangle = shell_inside_out(surfaces_);
+    if (!triangle) return;
+    const std::size_t surface = static_cast<std::size_t>(surfaces_.surface[*triangle]);
+    ply_.fail_whole("surface \"" + surfaces_.surface_names[surface] + "\" is inside out: the side of its shell at " +
+                        place_text(*triangle) + " (m) that is hidden faces inwards, so nothing of it is solid",
+                    "turn its faces, or hide the other side: front_hidden and back_hidden say which one faces air");
+  }
+
+  std::string place_text(std::size_t triangle) const {
+    glm::dvec3 middle(0);
+    for (int k = 0; k < 3; ++k) middle += glm::dvec3(surfaces_.position[surfaces_.triangle[triangle][k]]) / 3.0;
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "%.4g, %.4g, %.4g", middle.x, middle.y, middle.z);
+    return text.data();
+  }
+
   void read_elements() {
     check_elements();
     for (const PlyElement& element : ply_.header().elements) {
