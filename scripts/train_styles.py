@@ -2,7 +2,7 @@
 """Does variety pay? Trains a small classifier of fruit on pictures in one style, in another, and in both, as many each, and
 tests each on pictures of every style, of which the last is one that none has seen (docs/guides/data.md).
 
-    train_styles.py scenes/cut_fruit.toml -o FOLDER --styles ink photo --unseen gouache --count 200
+    train_styles.py scenes/cut_fruit.toml -o FOLDER --styles ink photo --unseen gouache --count 200 --size 320 240
 
 makes the data sets with `pomona data` (what is there already is kept) and prints a table: the share of pieces whose species
 is named right. The classifier is linear: softmax regression on histograms of colours and of directions of edges (HOG) of
@@ -26,6 +26,7 @@ def data_set(options, name, styles, count):
     text = options.file.read_text()
     text = re.sub(r"(?m)^style = .*$", "style = " + json.dumps(styles), text)
     text = re.sub(r"(?m)^count = .*$", f"count = {count}", text)
+    text = re.sub(r"(?m)^size = .*$", f"size = {options.size}", text)
     # Its own seed: no two sets show the same pictures. Names of files start from the folder of the original.
     text = re.sub(r"(?m)^seed = .*$", f"seed = {sum(map(ord, name))}", text)
     folder = options.output / name
@@ -93,11 +94,12 @@ def trained(rows, species, steps=400, rate=2.0, decay=1e-4):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", type=pathlib.Path, help="a data set file with lines `style = ` and `count = `")
+    parser.add_argument("file", type=pathlib.Path, help="a data set file with lines `style = `, `seed = `, `count = ` and `size = `")
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="FOLDER")
     parser.add_argument("--styles", nargs=2, default=["ink", "photo"])
     parser.add_argument("--unseen", default="gouache")
     parser.add_argument("--count", type=int, default=200, help="pictures of each set to train on; tests have half as many")
+    parser.add_argument("--size", type=int, nargs=2, default=[640, 480], help="of pictures, pixels")
     parser.add_argument("--program", default=pathlib.Path(__file__).resolve().parent.parent / "build" / "pomona")
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)

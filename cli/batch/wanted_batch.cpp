@@ -86,17 +86,17 @@ void check_holds_no_other(const std::filesystem::path& folder, const std::string
   if (there.empty() || there == wanted) return;
   const std::string what = difference(there, wanted);
   const bool can_grow = what.starts_with("this batch") || what.starts_with("a batch of another version");
-  throw Error(ExitStatus::cannot_create,
-              {{{folder.string(), 0, 0, {}},
-                "holds " + what,
-                std::string(can_grow ? "--update keeps what is unchanged; or " : "") +
-                    "name another folder, or remove this one"}});
+  throw Error(ExitStatus::cannot_create, {{{folder.string(), 0, 0, {}},
+                                           "holds " + what,
+                                           std::string(can_grow ? "--update keeps what is unchanged; or " : "") +
+                                               "name another folder, or remove this one"}});
 }
 
 void check_holds_no_other_name(const std::filesystem::path& folder, const std::string& there,
                                const std::string& wanted) {
   const std::string what = there.empty() || there == wanted ? std::string() : difference(there, wanted);
-  if (what.starts_with("another batch") || what.ends_with("cannot be read")) check_holds_no_other(folder, there, wanted);
+  if (what.starts_with("another batch") || what.ends_with("cannot be read"))
+    check_holds_no_other(folder, there, wanted);
 }
 
 }  // namespace pomona

@@ -12,16 +12,12 @@
 
 namespace pomona {
 
-Image SharedContext::drawn(const Scene& scene, const Style& style, const PictureOptions& options) {
+Image SharedPainter::drawn(const Scene& scene, const Style& style, const PictureOptions& options) {
   // Lines need no OpenGL: meanwhile another thread may have it.
   Style paint = style;
   paint.ink = false;
   Image picture;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!context_) context_ = std::make_unique<GlContext>();
-    picture = draw_scene(*context_, scene, paint, options);
-  }
+  thread_.start([&](const CurrentGl& gl) { picture = draw_scene(gl, scene, paint, options); }).get();
   if (!style.ink) return picture;
   const StrokeOptions strokes{.width = options.width, .height = options.height, .threads = options.threads};
   return with_ink(std::move(picture), scene_strokes(scene, style, strokes), options.threads);
@@ -34,7 +30,7 @@ PictureWork::PictureWork(const DataPlan& plan, const std::string& file)
              std::string("pomona ") + version,
              std::filesystem::path(file).filename().string(),
              [this](const Scene& scene, const Style& style, const PictureOptions& options) {
-               return context_.drawn(scene, style, options);
+               return painter_.drawn(scene, style, options);
              }},
       ready_(plan.templates) {
   for (const std::string& style : plan.data.styles) tools_.styles[style] = find_style(style);

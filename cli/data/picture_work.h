@@ -2,29 +2,29 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "cli/batch/asset_work.h"
 #include "cli/data/make_picture.h"
+#include "render/diffusion/gl_thread.h"
 
 namespace pomona {
 
-/// One context of OpenGL for all threads, one at a time: in software it draws on all cores by itself, and drivers do
-/// not all bear several at once.
-class SharedContext {
+/// Draws for all threads on one of its own. In software OpenGL draws on all cores by itself; and drivers do not all
+/// bear contexts on threads that they do not see end.
+class SharedPainter {
  public:
+  SharedPainter() : thread_(std::make_unique<GlContext>()) {}
   Image drawn(const Scene& scene, const Style& style, const PictureOptions& options);
 
  private:
-  std::mutex mutex_;
-  std::unique_ptr<GlContext> context_;
+  GlThread thread_;
 };
 
 class PictureWork : public ItemWork {
  public:
-  /// \param file how the user named the set's file.
+  /// \param file how the user named the set's file. \throws Error (helper_missing) if there is no OpenGL
   PictureWork(const DataPlan& plan, const std::string& file);
 
   std::vector<RecordedEntry> entries() const override;
@@ -39,7 +39,7 @@ class PictureWork : public ItemWork {
   const DataPlan& plan_;
   PictureTools tools_;
   ReadyTemplates ready_;
-  SharedContext context_;
+  SharedPainter painter_;
 };
 
 }  // namespace pomona

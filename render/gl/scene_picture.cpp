@@ -471,7 +471,10 @@ void check_options(const CurrentGl& gl, const PictureOptions& options) {
 }  // namespace
 
 Image draw_scene(GlContext& context, const Scene& scene, const Style& style, const PictureOptions& options) {
-  const CurrentGl gl(context);
+  return draw_scene(CurrentGl(context), scene, style, options);
+}
+
+Image draw_scene(const CurrentGl& gl, const Scene& scene, const Style& style, const PictureOptions& options) {
   check_options(gl, options);
   give_back_free_memory();
   Image picture = ScenePainter(gl, scene, style, options).painted();

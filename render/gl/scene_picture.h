@@ -21,6 +21,9 @@ struct PictureOptions {
 /// \throws Error (usage) for invalid sizes or samples; (helper_missing) if OpenGL lacks something.
 Image draw_scene(GlContext& context, const Scene& scene, const Style& style, const PictureOptions& options = {});
 
+/// The same, on a thread that has its context already (gl_thread.h).
+Image draw_scene(const CurrentGl& gl, const Scene& scene, const Style& style, const PictureOptions& options = {});
+
 /// The same, with the first context that works.
 Image draw_scene(const Scene& scene, const Style& style, const PictureOptions& options = {});
 
