@@ -31,7 +31,6 @@ void heed_ending_signals() {
   // Beyond a limit of file sizes (`ulimit -f`) write() fails, which is told and leaves nothing half done.
   std::signal(SIGXFSZ, SIG_IGN);
   // Beyond a limit of file sizes (`ulimit -f`) write() fails, is told, and leaves nothing half done.
-  std::signal(SIGXFSZ, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
     ::sigaction(signal, nullptr, &before);
