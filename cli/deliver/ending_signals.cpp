@@ -30,7 +30,6 @@ void end_or_keep(int signal) {
 void heed_ending_signals() {
   // Beyond a limit of file sizes (`ulimit -f`) write() fails, which is told and leaves nothing half done.
   std::signal(SIGXFSZ, SIG_IGN);
-  // Beyond a limit of file sizes (`ulimit -f`) write() fails, is told, and leaves nothing half done.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
     ::sigaction(signal, nullptr, &before);
