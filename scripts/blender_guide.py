@@ -162,7 +162,7 @@ def loaf():
             piece.location.x += 0.012 * number + 0.018
             piece.location.z -= 0.006 * number
             piece.rotation_euler = (0, 0.16 * number, 0)
-    lit((0.03, 0, 0.03), (0.30, -0.36, 0.26), 0.17, 0.55)
+    lit((0.02, 0, 0.03), (0.36, -0.34, 0.26), 0.17, 0.62)
 
 
 def shot(name):
@@ -213,7 +213,7 @@ def window_steps():
     plane = root.pomona.knives[0].plane
     plane.rotation_euler = (1.1, 0.1, 0.5)
     view.region_3d.view_distance, view.region_3d.view_location = 0.26, (0.02, 0, 0.03)
-    view.region_3d.view_rotation = Euler((1.1, 0, 2.4)).to_quaternion()
+    view.region_3d.view_rotation = Euler((1.0, 0, 1.5)).to_quaternion()
     yield 80
     shot("plane")
     for thing in list(bpy.data.objects):
