@@ -1,5 +1,5 @@
-"""The pictures of docs/guides/blender.md, each made as a person makes it, by the add-on's operators. Runs within Blender,
-with the add-on's .zip and the program:
+"""The pictures of docs/guides/blender.md, each made as a person makes it, by the add-on's operators. Runs within
+Blender, with the add-on's .zip and the program:
 
     PATH=/usr/bin:/bin xvfb-run -a -s "-screen 0 1280x800x24" blender --factory-startup \\
         --enable-event-simulate -P scripts/blender_guide.py -- ADDON.zip build/pomona FOLDER window
@@ -113,8 +113,8 @@ def drawn(name):
 
 
 def bowl():
-    turned("bowl", [(0.0, 0.0), (0.05, 0.0), (0.055, 0.006), (0.09, 0.025), (0.118, 0.055), (0.13, 0.085), (0.127, 0.087),
-                    (0.114, 0.058), (0.086, 0.030), (0.05, 0.014), (0.0, 0.012)],
+    turned("bowl", [(0.0, 0.0), (0.05, 0.0), (0.055, 0.006), (0.09, 0.025), (0.118, 0.055), (0.13, 0.085),
+                    (0.127, 0.087), (0.114, 0.058), (0.086, 0.030), (0.05, 0.014), (0.0, 0.012)],
            plain("stoneware", (0.10, 0.22, 0.24), 0.3))
     serve("FILL", 3, {"template": "kiwi", "knives": "half", "count": 2, "face_up": True},
           {"template": "fig", "knives": "half", "count": 2, "face_up": True},
@@ -127,7 +127,8 @@ def strewn():
     for j in range(side):
         for i in range(side):
             x, y = 0.4 * (i / (side - 1) - 0.5), 0.4 * (j / (side - 1) - 0.5)
-            points.append((x, y, 0.05 * math.exp(-(x * x + y * y) / 0.012) + 0.004 * math.sin(40 * x) * math.sin(34 * y)))
+            hill, waves = 0.05 * math.exp(-(x * x + y * y) / 0.012), math.sin(40 * x) * math.sin(34 * y)
+            points.append((x, y, hill + 0.004 * waves))
     for j in range(side - 1):
         faces += [(j * side + i, j * side + i + 1, (j + 1) * side + i + 1, (j + 1) * side + i) for i in range(side - 1)]
     solid("ice", points, faces, plain("ice", (0.80, 0.87, 0.90), 0.25))
@@ -162,7 +163,7 @@ def loaf():
             piece.location.x += 0.012 * number + 0.018
             piece.location.z -= 0.006 * number
             piece.rotation_euler = (0, 0.16 * number, 0)
-    lit((0.03, 0, 0.03), (0.30, -0.36, 0.26), 0.17, 0.55)
+    lit((0.02, 0, 0.03), (0.36, -0.34, 0.26), 0.17, 0.62)
 
 
 def shot(name):
@@ -213,7 +214,7 @@ def window_steps():
     plane = root.pomona.knives[0].plane
     plane.rotation_euler = (1.1, 0.1, 0.5)
     view.region_3d.view_distance, view.region_3d.view_location = 0.26, (0.02, 0, 0.03)
-    view.region_3d.view_rotation = Euler((1.1, 0, 2.4)).to_quaternion()
+    view.region_3d.view_rotation = Euler((1.0, 0, 1.5)).to_quaternion()
     yield 80
     shot("plane")
     for thing in list(bpy.data.objects):

@@ -31,7 +31,12 @@ class Job:
 
     @property
     def is_over(self) -> bool:
-        return not self._thread.is_alive()
+        """A job that was stopped is over for whoever waits, though its thread may have an item to end."""
+        return self._stop.is_set() or not self._thread.is_alive()
+
+    @property
+    def is_at_work(self) -> bool:
+        return self._thread.is_alive()
 
     @property
     def seconds(self) -> float:
@@ -46,6 +51,10 @@ class Job:
         """Whether it is over by then."""
         self._thread.join(seconds)
         return self.is_over
+
+    def join(self, seconds: float) -> None:
+        """Waits for its thread."""
+        self._thread.join(seconds)
 
     def stop(self) -> None:
         """Asks it to end; it does so at its next item."""
@@ -64,7 +73,8 @@ class Job:
                 path = Path(folder, "made.glb")
                 self.warnings = self._door.make(self.order, path, self._told, self._stop)
                 if not self._stop.is_set():
-                    self.model = read_glb(path.read_bytes())
+                    model = read_glb(path.read_bytes())
+                    self.model = None if self._stop.is_set() else model
         except Stopped:
             pass
         except DoorError as error:

@@ -80,10 +80,12 @@ def write_mesh(thing: Any, path: Path, depth: float, context: Any) -> None:
         across = (points[b] - points[a]).cross(points[c] - points[a])
         for corner in (a, b, c):
             inwards[corner] = tuple(inwards[corner][k] - across[k] for k in range(3))
+    # Whichever way the mesh faces: Pomona turns its skin, too.
+    turned = -1 if sum(points[a].dot(points[b].cross(points[c])) for a, b, c in triangles) < 0 else 1
     inner = []
     for point, way in zip(points, inwards):
         length = max(sum(part * part for part in way) ** 0.5, 1e-20)
-        inner.append([point[k] + depth * way[k] / length for k in range(3)])
+        inner.append([point[k] + turned * depth * way[k] / length for k in range(3)])
     count = len(points)
     later = [tuple(corner + count for corner in triangle) for triangle in triangles]
     skin = obj_text([for_pomona(point) for point in points], triangles, "skin")

@@ -25,6 +25,7 @@ class Workshop:
         self.templates: Sequence[Named] = sorted(door.templates(), key=lambda one: one.title) if door else ()
         self.scenes: Sequence[Named] = sorted(door.scenes(), key=lambda one: one.title) if door else ()
         self.jobs: dict[str, Job] = {}
+        self._at_work: list[Job] = []
         self._models: OrderedDict[str, Model] = OrderedDict()
 
     def known(self, order: Order) -> Optional[Model]:
@@ -45,11 +46,19 @@ class Workshop:
         if root_name in self.jobs:
             self.jobs[root_name].stop()
         self.jobs[root_name] = Job(self.door, order)
+        self._at_work = [*(job for job in self._at_work if job.is_at_work), self.jobs[root_name]]
         return self.jobs[root_name]
 
     def stop_all(self) -> None:
         for job in self.jobs.values():
             job.stop()
+
+    def close(self) -> None:
+        """Waits for threads: Blender may not end while one works within the module."""
+        self.stop_all()
+        for job in self._at_work:
+            job.stop()
+            job.join(30)
 
 
 # Blender's callbacks, timers and operators share one; it is another after the preferences have changed.
@@ -64,7 +73,7 @@ def open_workshop(door: Optional[Door]) -> Workshop:
 
 def close_workshop() -> None:
     while _open:
-        _open.pop().stop_all()
+        _open.pop().close()
 
 
 def workshop() -> Workshop:

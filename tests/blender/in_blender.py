@@ -285,8 +285,10 @@ class InBlender(unittest.TestCase):
     def test_a_mesh_becomes_a_template(self):
         bpy.ops.mesh.primitive_cube_add(size=0.1, location=(0, 0, 0.05))
         bpy.context.object.name = "Small Loaf"
+        bpy.context.object.data.flip_normals()
         self.assertEqual(bpy.ops.pomona.from_mesh(filepath=str(FOLDER / "loaf.toml"), knives="slices:4"), {"FINISHED"})
-        told_by_program("check", str(FOLDER / "loaf.toml"))
+        checked = subprocess.run([PROGRAM, "check", FOLDER / "loaf.toml"], capture_output=True, text=True, check=True)
+        self.assertEqual(checked.stderr, "", "the inner surface lies within, though the mesh faced inwards")
         root = bpy.context.object
         self.assertEqual(len(pieces(root)), 4)
         self.assertAlmostEqual(sum(thing.data["volume"] for thing in pieces(root)), 1e-3, places=7)
