@@ -44,7 +44,7 @@ blender-addon: build ## the add-on for Blender as a .zip in build/blender; docs/
 
 test-blender: python blender-addon ## the add-on tried by Blender: with the program and with the Python module, and in a window under Xvfb; two minutes
 	@scripts/setup.sh programs
-	tests/blender/addon_test.py build/pomona build/blender out/test_blender --module build-python/module --window
+	tests/blender/addon_test.py build/pomona build/blender out/test_blender --module build/module --window
 
 # Other programs, and what runs in node or in a browser.
 .npm:
