@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures .npm build test python test-python blender-addon test-blender test-programs golden-renew golden-mutants mutants semantic-faults verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures .npm build test python test-python blender-addon test-blender test-programs test-rest golden-renew golden-mutants mutants semantic-faults verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -56,6 +56,12 @@ test-programs: .npm ## tests that start real programs: the glTF validator, POV-R
 	cmake --preset test-programs
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -L programs
+
+test-rest: build .npm ## 24 templates by five knives come to rest in MuJoCo, welded fruits hold, dishes are open; half an hour
+	@scripts/setup.sh build test programs
+	node tests/programs/mujoco_rest.mjs build/pomona out/rest
+	node tests/programs/mujoco_welds.mjs build/pomona out/rest
+	node tests/programs/mujoco_dishes.mjs build/pomona out/rest $(addprefix scenes/,market_crate.toml chopping_board.toml conveyor.toml strewn_hill.toml)
 
 golden-renew: build ## keeps what is drawn now as golden pictures: NAME="onion_half pile" (or all) REASON="why"
 	@scripts/setup.sh test programs

@@ -124,7 +124,8 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->required();
   add_order_options(
       *command, OrderTaker::cut,
-      "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard output",
+      "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html, .pomona, .xml (MuJoCo) or .urdf; - is "
+      "standard output",
       options->typed);
   add_telling_options(*command, options->telling);
   command->footer("Knives, and along what they cut:\n" + knife_help());

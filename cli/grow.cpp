@@ -73,8 +73,8 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
   add_order_options(*command, OrderTaker::grow,
-                    "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is "
-                    "standard output",
+                    "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png, .svg, .html, .pomona, .xml "
+                    "(MuJoCo) or .urdf; - is standard output",
                     options->typed);
   add_telling_options(*command, options->telling);
   return {command, [options] {

@@ -91,10 +91,11 @@ DeclaredCommand scene_command(CLI::App& app) {
   const auto options = std::make_shared<SceneCommand>();
   command->add_option("SCENE", options->scene, "A name from `pomona list --scenes`, or a scene file (.toml)")
       ->required();
-  add_order_options(
-      *command, OrderTaker::scene,
-      "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, .html (a page), or .json (the layout)",
-      options->typed);
+  add_order_options(*command, OrderTaker::scene,
+                    "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, .html (a page), .xml (MuJoCo), "
+                    ".urdf, or .json (the "
+                    "layout)",
+                    options->typed);
   add_telling_options(*command, options->telling);
   return {command, [options] {
             return made_or_watched(options->telling, options->typed.outputs, read_by(*options),

@@ -55,7 +55,7 @@ add_library(pomona_archive STATIC ${objects})
 set_target_properties(pomona_archive PROPERTIES OUTPUT_NAME pomona EXPORT_NAME pomona LINKER_LANGUAGE CXX)
 target_compile_features(pomona_archive INTERFACE cxx_std_20)
 target_include_directories(pomona_archive INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pomona>)
-target_link_libraries(pomona_archive PUBLIC glm::glm PRIVATE PkgConfig::POMONA_NEEDS ${CMAKE_DL_LIBS})
+target_link_libraries(pomona_archive PUBLIC glm::glm PRIVATE PkgConfig::POMONA_NEEDS meshoptimizer::meshoptimizer ${CMAKE_DL_LIBS})
 
 # The steps of docs/guides/library.md; what these include is installed with them.
 set(POMONA_PUBLIC_HEADERS

@@ -33,6 +33,9 @@ void check_meshes(const Order& order) {
   if (mesh.lod > 0 && mesh.engine == Engine::godot)
     throw Error(ExitStatus::usage, "--lod: Godot makes levels of detail of its own, and Godot 3 shows ours all at once",
                 "leave it out");
+  if (mesh.compress == Compression::meshopt && (mesh.instances || mesh.engine != Engine::any || mesh.cuttable))
+    throw Error(ExitStatus::usage, "--compress meshopt does not go with --instances, --engine and --cuttable",
+                "leave them out: three.js and Babylon.js read what is compressed, engines' importers do not");
   if (mesh.instances && (mesh.engine == Engine::godot || mesh.engine == Engine::unreal))
     throw Error(
         ExitStatus::usage,
@@ -61,9 +64,12 @@ void check_cut(const Order& order) {
   if (any_is(order.outputs, live_formats)) check_live_knives(cut.knives);
   if (cut.section && (cut.explode > 1 || cut.piece > 0 || !cut.piece_list.empty() || !order.picture.aov.empty()))
     throw Error(ExitStatus::usage, "--explode, --piece, --pieces and --aov are about pieces: leave out --section");
-  if (!order.fruit.seeds.empty() &&
-      (cut.section || cut.explode > 1 || !cut.piece_list.empty() || any_is(order.outputs, live_formats)))
-    throw Error(ExitStatus::usage, "--seeds does not go with --section, --explode, --pieces and .html",
+  if (order.mesh.welded && (cut.section || cut.explode > 1 || cut.piece > 0 || order.mesh.instances))
+    throw Error(ExitStatus::usage, "--welded joins the pieces where they grew",
+                "leave out --section, --explode, --piece and --instances");
+  if (!order.fruit.seeds.empty() && (order.mesh.welded || cut.section || cut.explode > 1 || !cut.piece_list.empty() ||
+                                     any_is(order.outputs, live_formats)))
+    throw Error(ExitStatus::usage, "--seeds does not go with --section, --explode, --pieces, --welded and .html",
                 "leave them out; `pomona grow --seeds` makes pages");
 }
 

@@ -4,7 +4,16 @@
 namespace pomona {
 
 /// The engine for whose importer names in a file are made (docs/reference/formats.md).
-enum class Engine { any, godot, unreal, unity };
+enum class Engine { any, godot, unreal, unity, blender };
+
+/// How the arrays of a file are coded.
+enum class Compression {
+  none,
+  meshopt,  ///< EXT_meshopt_compression, of numbers of 8 and 16 bits (KHR_mesh_quantization)
+};
+
+/// The axis that points up in a file.
+enum class UpAxis { y, z };
 
 /// The maps of textures.
 enum class Maps {

@@ -15,8 +15,8 @@ bool is_one_of(Format format, const std::vector<Format>& formats) {
 }  // namespace
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names = {"ply", "glb", "usda", "obj",  "stl",   "pov",
-                                                 "png", "svg", "json", "html", "pomona"};
+  static const std::vector<std::string> names = {"ply", "glb",  "usda", "obj",    "stl", "pov", "png",
+                                                 "svg", "json", "html", "pomona", "xml", "urdf"};
   return names;
 }
 

@@ -10,7 +10,7 @@
 namespace pomona {
 
 /// In the order in which messages list them.
-enum class Format { ply, glb, usda, obj, stl, pov, png, svg, json, html, pomona };
+enum class Format { ply, glb, usda, obj, stl, pov, png, svg, json, html, pomona, xml, urdf };
 
 /// The endings without their dots, in the order of Format.
 const std::vector<std::string>& format_names();
@@ -38,6 +38,9 @@ bool all_are(const std::vector<Output>& outputs, const std::vector<Format>& form
 
 /// Fruit that is cut after it has left the program: pages and assets.
 inline const std::vector<Format> live_formats = {Format::html, Format::pomona};
+
+/// Models of simulators: pieces lie on the ground, as in pictures.
+inline const std::vector<Format> model_formats = {Format::xml, Format::urdf};
 
 /// Flat pictures.
 inline const std::vector<Format> picture_formats = {Format::png, Format::svg};

@@ -16,10 +16,11 @@ const std::vector<OrderTaker> of_pieces = {OrderTaker::cut, OrderTaker::batch};
 const std::vector<OrderTaker> of_all = {OrderTaker::grow, OrderTaker::cut, OrderTaker::plate, OrderTaker::scene,
                                         OrderTaker::batch};
 
-const std::vector<Format> solid_formats = {Format::ply, Format::glb, Format::usda, Format::obj,
-                                           Format::stl, Format::pov, Format::png,  Format::svg};
-const std::vector<Format> colored_formats = {Format::ply, Format::glb, Format::usda, Format::obj,   Format::pov,
-                                             Format::png, Format::svg, Format::html, Format::pomona};
+const std::vector<Format> solid_formats = {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl,
+                                           Format::pov, Format::png, Format::svg,  Format::xml, Format::urdf};
+const std::vector<Format> colored_formats = {Format::ply,    Format::glb, Format::usda, Format::obj,
+                                             Format::pov,    Format::png, Format::svg,  Format::html,
+                                             Format::pomona, Format::xml, Format::urdf};
 const std::vector<Format> glb_and_usda = {Format::glb, Format::usda};
 
 std::vector<OrderOption> fruit_options() {
@@ -233,11 +234,35 @@ std::vector<OrderOption> mesh_options() {
        .heeded = glb_and_usda,
        .makes_piece = true},
       {.name = "engine",
-       .value = choice_value<&Order::mesh, &MeshOrder::engine>({"any", "godot", "unreal", "unity"}),
-       .help = ".glb: names as this engine's importer expects them, and convex hulls to collide with",
+       .value = choice_value<&Order::mesh, &MeshOrder::engine>({"any", "godot", "unreal", "unity", "blender"}),
+       .help = ".glb: names as this engine's importer expects them, and shapes to collide with; for Blender levels "
+               "side by side",
        .takers = of_solids,
        .heeded = {Format::glb},
        .makes_piece = true},
+      {.name = "compress",
+       .value = choice_value<&Order::mesh, &MeshOrder::compress>({"none", "meshopt"}),
+       .help = ".glb: arrays coded by meshoptimizer, in a third to a fifth of the bytes; not every program reads it",
+       .takers = of_solids,
+       .heeded = {Format::glb},
+       .makes_piece = true},
+      {.name = "up",
+       .value = choice_value<&Order::mesh, &MeshOrder::up>({"y", "z"}),
+       .help = ".usda: the axis that points up; simulators want z",
+       .takers = of_solids,
+       .heeded = {Format::usda},
+       .makes_piece = true},
+      {.name = "hulls",
+       .value = WholeValue{member_of<&Order::mesh, &MeshOrder::hulls>, 1, 64},
+       .help = "Convex parts, at most, that a piece collides with: of more than one hollows stay open",
+       .takers = of_solids,
+       .heeded = {Format::glb, Format::usda, Format::xml, Format::urdf},
+       .makes_piece = true},
+      {.name = "welded",
+       .value = FlagValue{member_of<&Order::mesh, &MeshOrder::welded>},
+       .help = "The pieces as they grew, joined by welds that hold as much as what they share of a cut face",
+       .takers = {cut},
+       .heeded = {Format::usda, Format::xml}},
       {.name = "instances",
        .value = FlagValue{member_of<&Order::mesh, &MeshOrder::instances>},
        .help = ".glb, .usda: pieces that repeat are one node with many places, one prim",

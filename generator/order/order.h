@@ -65,6 +65,10 @@ struct MeshOrder {
   std::string maps_dir = {};                   ///< folder for the textures as pictures, too; empty = none
   int lod = 0;                                 ///< further levels of detail, 0 to 6
   Engine engine = Engine::any;                 ///< for .glb only
+  Compression compress = Compression::none;    ///< .glb: how its arrays are coded
+  UpAxis up = UpAxis::y;                       ///< .usda: the axis that points up
+  int hulls = 1;                               ///< convex parts, at most, that a piece collides with, 1 to 64
+  bool welded = false;                         ///< .xml, .usda of a cut: the pieces lie as they grew, joined
   bool instances = false;                      ///< pieces that repeat are one node, or prim, with many places
   bool feature_ids = false;                    ///< .glb: parts as EXT_mesh_features, too
   std::vector<double> ripeness_variants = {};  ///< .glb, .usda with textures: these ripenesses, too

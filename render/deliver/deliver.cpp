@@ -6,6 +6,7 @@
 #include "generator/surface/file/surface_file.h"
 #include "render/deliver/export_options.h"
 #include "render/deliver/mesh_files.h"
+#include "render/deliver/model_files.h"
 #include "render/deliver/picture_files.h"
 #include "render/style/style_file.h"
 
@@ -32,6 +33,9 @@ Delivered file_of(const Output& output, const SceneViews& scene, const ReadyMesh
     case Format::json:
       delivered.add(output.file, [&] { return write_layout(scene.placed); });
       return delivered;
+    case Format::xml:
+    case Format::urdf:
+      return model_files(output, scene.modelled != nullptr ? *scene.modelled : scene.placed, order, how);
     case Format::html:
     case Format::pomona:
       return delivered;

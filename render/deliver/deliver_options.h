@@ -45,6 +45,7 @@ struct DeliverOptions {
 struct SceneViews {
   const Scene& placed;                             ///< for meshes: the pieces where they grew, or lie
   const Scene* shown = nullptr;                    ///< for pictures, if these show the pieces elsewhere
+  const Scene* modelled = nullptr;                 ///< for simulators, if these begin with the pieces elsewhere
   std::span<const RipenessVariant> variants = {};  ///< other ripenesses of `placed`, for textures
   std::optional<PlateText> plate_text = {};        ///< texts of a plate; none: no plate is drawn around pictures
   const OrderedFruit* fruit = nullptr;             ///< the fruit whose asset a cuttable .glb carries

@@ -15,7 +15,11 @@ ExportOptions export_options(const Order& order, const DeliverOptions& how) {
           .threads = order.threads,
           .instances = order.mesh.instances,
           .feature_ids = order.mesh.feature_ids,
-          .engine = order.mesh.engine};
+          .engine = order.mesh.engine,
+          .compress = order.mesh.compress,
+          .up = order.mesh.up,
+          .hulls = order.mesh.hulls,
+          .welded = order.mesh.welded};
 }
 
 std::optional<BakeOptions> bake_options(const Order& order) {

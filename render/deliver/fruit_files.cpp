@@ -31,11 +31,13 @@ Delivered whole_fruit_files(const OrderedFruit& fruit, const std::optional<Templ
   Scene scene = gathered(whole_fruit(fruit, order, delivered));
   scene.paper = how.style.paper;
   std::optional<Scene> shown;
-  if (any_is(rest.outputs, picture_formats) && !order.mesh.surfaces) shown = standing(scene);
+  if ((any_is(rest.outputs, picture_formats) || any_is(rest.outputs, model_formats)) && !order.mesh.surfaces)
+    shown = standing(scene);
   const std::vector<RipenessVariant> variants =
       ripeness_variants(scene.solids, fruit, drawn, order, nullptr, delivered.times);
   delivered.add(files({.placed = scene,
                        .shown = shown ? &*shown : nullptr,
+                       .modelled = shown ? &*shown : nullptr,
                        .variants = variants,
                        .plate_text = PlateText{fruit.fruit.title, fruit.fruit.latin},
                        .fruit = &fruit},

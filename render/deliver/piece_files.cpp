@@ -1,6 +1,7 @@
 #include "render/deliver/piece_files.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -13,14 +14,35 @@
 #include "generator/scene/scene.h"
 #include "generator/scene/stand.h"
 #include "render/deliver/deliver.h"
+#include "render/export/weld.h"
 
 namespace pomona {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+/// Which pieces touch, and by how much.
+Json contact_list(std::span<const Solid> pieces) {
+  Json list = Json::array();
+  for (const Weld& weld : welds_of(pieces)) {
+    const PieceContact& contact = weld.contact;
+    const Solid& first = pieces[static_cast<std::size_t>(contact.first)];
+    Json parts = Json::object();
+    for (const auto& [part, area] : contact.parts) parts[first.look->part_names[static_cast<std::size_t>(part)]] = area;
+    list.push_back({{"name", weld_name(contact)},
+                    {"pieces", {first.name, pieces[static_cast<std::size_t>(contact.second)].name}},
+                    {"cut", contact.cut},
+                    {"area", contact.area},
+                    {"center", {contact.center.x, contact.center.y, contact.center.z}},
+                    {"parts", std::move(parts)},
+                    {"strength", weld.strength}});
+  }
+  return list;
+}
+
 /// The list of pieces as JSON: docs/reference/formats.md, "Piece list".
-std::string piece_list(const Scene& scene) {
-  using Json = nlohmann::ordered_json;
+std::string piece_list(const Scene& scene, bool is_welded) {
   Json pieces = Json::array();
   for (const Instance& instance : scene.instances) {
     const Solid& solid = scene.solids[static_cast<std::size_t>(instance.solid)];
@@ -32,7 +54,9 @@ std::string piece_list(const Scene& scene) {
     piece.update(facts_json(solid));
     pieces.push_back(std::move(piece));
   }
-  return json_text(Json{{"format", 1}, {"pieces", pieces}}, 1) + "\n";
+  Json list = {{"format", 1}, {"pieces", std::move(pieces)}};
+  if (is_welded) list["contacts"] = contact_list(scene.solids);
+  return json_text(list, 1) + "\n";
 }
 
 }  // namespace
@@ -40,15 +64,20 @@ std::string piece_list(const Scene& scene) {
 Delivered piece_files(SceneViews pieces, const OrderedFruit& fruit, const Order& order, const DeliverOptions& how) {
   const Scene& in_place = pieces.placed;
   Delivered delivered;
-  if (!order.cut.piece_list.empty()) delivered.add(order.cut.piece_list, [&] { return piece_list(in_place); });
+  if (!order.cut.piece_list.empty())
+    delivered.add(order.cut.piece_list, [&] { return piece_list(in_place, order.mesh.welded); });
 
   const bool apart = order.cut.explode > 1;
   const Scene moved = apart ? exploded(in_place, order.cut.explode) : Scene();
-  std::optional<Scene> shown;
-  if (any_is(order.outputs, picture_formats))
+  const bool has_models = any_is(order.outputs, model_formats), is_welded = has_models && order.mesh.welded;
+  std::optional<Scene> shown, welded;
+  if (any_is(order.outputs, picture_formats) || (has_models && !is_welded))
     shown = apart ? standing(moved) : laid_out(in_place, picture_aspect(order, how));
+  if (is_welded) welded = standing(in_place);
+  const Scene* modelled = welded ? &*welded : shown ? &*shown : nullptr;
   delivered.add(files({.placed = apart ? moved : in_place,
                        .shown = shown ? &*shown : nullptr,
+                       .modelled = modelled,
                        .variants = pieces.variants,
                        .plate_text = PlateText{fruit.fruit.title, fruit.fruit.latin},
                        .meshes = pieces.meshes},

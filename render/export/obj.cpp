@@ -48,12 +48,12 @@ void append_vertices(std::string& text, const StyledMesh& mesh, const Pose& pose
 }
 
 /// \param first number of the mesh's first vertex, from 1, in the whole file.
-void append_faces(std::string& text, const StyledMesh& mesh, std::uint64_t first) {
-  for (const glm::uvec3& triangle : mesh.triangle) {
+void append_faces(std::string& text, std::span<const glm::uvec3> triangles, std::uint64_t first, bool has_normals) {
+  for (const glm::uvec3& triangle : triangles) {
     text += 'f';
     for (int corner = 0; corner < 3; ++corner) {
       const std::string number = std::to_string(first + triangle[corner]);
-      text += ' ' + number + "//" + number;
+      text += ' ' + number + (has_normals ? "//" + number : std::string());
     }
     text += '\n';
   }
@@ -69,9 +69,23 @@ std::string write_obj(const Scene& scene, const ExportOptions& options) {
     const StyledMesh& mesh = meshes[static_cast<std::size_t>(instance.solid)];
     text += "o " + one_word(instance.name) + "\n";
     append_vertices(text, mesh, instance.pose);
-    append_faces(text, mesh, first);
+    append_faces(text, mesh.triangle, first, true);
     first += mesh.position.size();
   }
+  return text;
+}
+
+std::string write_obj(std::span<const glm::vec3> position, std::span<const glm::vec3> normal,
+                      std::span<const glm::uvec3> triangle, const glm::vec3& pivot) {
+  std::string text = "# made by Pomona, in metres\n";
+  const auto append = [&](const char* what, const glm::vec3& vector) {
+    text += what;
+    append_decimals(text, vector);
+    text += '\n';
+  };
+  for (const glm::vec3& p : position) append("v", p - pivot);
+  for (const glm::vec3& n : normal) append("vn", n);
+  append_faces(text, triangle, 1, !normal.empty());
   return text;
 }
 

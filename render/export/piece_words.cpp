@@ -9,8 +9,8 @@ std::string command_for(const Solid& solid, const ExportOptions& options, const 
   return command_for(solid.origin, solid.name + ending, options.command_words);
 }
 
-glm::vec3 pivot_of(const Solid& solid) {
-  return solid.origin.number > 0 ? glm::vec3(facts_of(solid).center) : glm::vec3(0);
-}
+bool is_fruit(const Solid& solid) { return solid.origin.number > 0; }
+
+glm::vec3 pivot_of(const Solid& solid) { return is_fruit(solid) ? glm::vec3(facts_of(solid).center) : glm::vec3(0); }
 
 }  // namespace pomona

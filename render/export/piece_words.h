@@ -12,6 +12,9 @@ namespace pomona {
 /// piece of a known fruit.
 std::string command_for(const Solid& solid, const ExportOptions& options, const std::string& ending);
 
+/// Whether a solid is a piece of fruit, or a whole one, and no dish. Pieces move in simulations, dishes stand still.
+bool is_fruit(const Solid& solid);
+
 /// The pivot of a piece: its centre of mass, with the precision of vertices. For solids that are not cut from a fruit,
 /// such as dishes, it is the origin.
 glm::vec3 pivot_of(const Solid& solid);

@@ -21,9 +21,13 @@ struct ExportOptions {
   Threads threads = {};
 
   // Options of glTF and USD.
-  bool instances = false;       ///< repeated pieces are one node, or prim, with many poses
-  bool feature_ids = false;     ///< glTF: parts as EXT_mesh_features, too
-  Engine engine = Engine::any;  ///< glTF: names for this importer, and convex hulls to collide with
+  bool instances = false;                    ///< repeated pieces are one node, or prim, with many poses
+  bool feature_ids = false;                  ///< glTF: parts as EXT_mesh_features, too
+  Engine engine = Engine::any;               ///< glTF: names for this importer, and shapes to collide with
+  Compression compress = Compression::none;  ///< glTF: how its arrays are coded
+  UpAxis up = UpAxis::y;                     ///< USD: the axis that points up
+  int hulls = 1;                             ///< convex parts, at most, that a piece collides with
+  bool welded = false;                       ///< USD, MJCF: pieces of one cut are joined where they touch
 };
 
 /// One solid, welded: no two vertices have all attributes equal, each vertex is used, and no triangle has two corners

@@ -27,6 +27,10 @@ small -o small.glb -o small.usda -o small.pov -o small.png -o small.html -o smal
 small --instances --feature-ids -o small-instances.glb -o small-instances.usda
 small --lod 2 -o small-levels.glb -o small-levels.usda
 small --engine godot -o small-godot.glb
+mkdir coded && small --compress meshopt -o coded/small.glb
+small --up z --hulls 4 -o small-z.usda
+cp "$repository/tests/programs/small_crate.toml" "$repository/scenes/dishes/crate.obj" .
+"$program" scene small_crate.toml --detail 0.4 --quality draft --style plain --quiet --engine godot -o small-crate.glb
 "$program" cut tomato --knife half --detail 0.4 --quality draft --texture 256 --maps color --ripeness-variants 0.2,1.8 --quiet -o ripenesses.glb -o ripenesses.usda
 small --engine unreal --lod 1 -o small-unreal.glb
 

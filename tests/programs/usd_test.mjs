@@ -93,7 +93,9 @@ for (const word of
         'semantics:labels:part = ["gel"]', 'string boundCamera = "/Scene/view"', 'rel camera = </Scene/view>',
         'pomona cut tomato', 'UsdPrimvarReader_float3'])
   assert(flat.includes(word), `${word} is lost`);
-for (const schema of ['PhysicsMassAPI', 'SemanticsLabelsAPI:category', 'PhysicsMeshCollisionAPI', 'MaterialBindingAPI'])
+for (const schema of
+       ['PhysicsRigidBodyAPI', 'PhysicsMassAPI', 'PhysicsMaterialAPI', 'SemanticsLabelsAPI:category',
+        'PhysicsMeshCollisionAPI', 'MaterialBindingAPI'])
   assert(text.includes(`"${schema}"`), `${schema} is not applied`);
 
 // Levels of detail are variants, the finest chosen unless one says otherwise; instances a PointInstancer.

@@ -6,7 +6,7 @@ namespace pomona::gltf {
 
 std::string engine_name(Engine engine, const std::string& name) {
   std::string result = name;
-  if (engine != Engine::any) std::replace(result.begin(), result.end(), '.', '_');
+  if (engine != Engine::any && engine != Engine::blender) std::replace(result.begin(), result.end(), '.', '_');
   return result;
 }
 
@@ -15,15 +15,20 @@ std::string level_name(Engine engine, const std::string& name, std::size_t level
   return level > 0 || numbers_all ? name + "_LOD" + std::to_string(level) : name;
 }
 
-std::string hull_name(Engine engine, const std::string& name) {
+std::string hull_name(Engine engine, const std::string& name, std::size_t part, std::size_t count) {
+  const std::string number = std::string(part < 10 ? "_0" : "_") + std::to_string(part);
   switch (engine) {
     case Engine::godot:
-      return name + "-convcolonly";
+      return name + (count > 1 ? number : "") + "-convcolonly";
     case Engine::unreal:
-      return "UCX_" + name + "_00";
+      return "UCX_" + name + number;
     default:
       return {};
   }
+}
+
+std::string triangles_name(Engine engine, const std::string& name) {
+  return engine == Engine::godot ? name + "-colonly" : std::string();
 }
 
 }  // namespace pomona::gltf

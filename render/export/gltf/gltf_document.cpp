@@ -78,6 +78,32 @@ void GltfDocument::use_extension(const std::string& name) {
   if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
 }
 
+void GltfDocument::require_extension(const std::string& name) {
+  use_extension(name);
+  Json& required = json_["extensionsRequired"];
+  if (std::find(required.begin(), required.end(), name) == required.end()) required.push_back(name);
+}
+
+int GltfDocument::add_coded_view(const std::string& coded, const char* mode, std::size_t count, std::size_t stride,
+                                 Target target) {
+  const std::string extension = "EXT_meshopt_compression";
+  require_extension(extension);
+  append("\0\0\0", filled(buffer_size_) - buffer_size_);
+  // Buffer 1 is not in the file: it is where the decoded bytes would lie.
+  Json view = {{"buffer", 1}, {"byteOffset", decoded_size_}, {"byteLength", count * stride}};
+  if (target == Target::vertices) view["byteStride"] = stride;
+  view["target"] = static_cast<int>(target);
+  view["extensions"][extension] = {{"buffer", 0},
+                                   {"byteOffset", buffer_size_},
+                                   {"byteLength", coded.size()},
+                                   {"byteStride", stride},
+                                   {"mode", mode},
+                                   {"count", count}};
+  append(coded.data(), coded.size());
+  decoded_size_ += filled(count * stride);
+  return add("bufferViews", std::move(view));
+}
+
 void GltfDocument::extend(const std::string& name, Json value) {
   use_extension(name);
   json_["extensions"][name] = std::move(value);
@@ -85,6 +111,10 @@ void GltfDocument::extend(const std::string& name, Json value) {
 
 std::string GltfDocument::bytes() && {
   if (buffer_size_ > 0) json_["buffers"] = Json::array({{{"byteLength", buffer_size_}}});
+  if (decoded_size_ > 0) {
+    json_["buffers"].push_back(
+        {{"byteLength", decoded_size_}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+  }
   // Names may come from files of any encoding; glTF is UTF-8.
   const std::string text = json_text(json_);
   json_ = Json();

@@ -70,12 +70,15 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
                    const PieceMeshOptions& mesh, const ExportOptions& options) {
   if (solid.look->part_names.size() > 65536)
     throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
-  const Json attributes = add_vertices(document, styled, mesh.pivot);
+  const bool is_coded = options.compress == Compression::meshopt;
+  const Json attributes =
+      is_coded ? add_coded_vertices(document, styled, mesh.pivot) : add_vertices(document, styled, mesh.pivot);
   Json primitives = Json::array();
   for (const MaterialGroup& group :
        groups_by_material(solid, styled, mesh.textures ? LightInside::told : LightInside::left_out)) {
     Json primitive = {{"attributes", attributes}};
-    primitive["indices"] = add_triangles(document, group.triangle, styled.position.size());
+    primitive["indices"] = is_coded ? add_coded_triangles(document, group.triangle, styled.position.size())
+                                    : add_triangles(document, group.triangle, styled.position.size());
     primitive["material"] = materials.material(solid, group, mesh.textures);
     add_variants(primitive, materials, solid, group, mesh);
     if (options.feature_ids) add_feature_ids(document, primitive, solid.look->part_names.size());

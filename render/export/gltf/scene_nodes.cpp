@@ -1,5 +1,6 @@
 #include "render/export/gltf/scene_nodes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -51,13 +52,32 @@ class NodeWriter {
   /// The index of the node; its levels and its hull are added with it.
   int add(const PlacedSolid& placed, const SolidMeshes& solid);
 
+  /// After all: groups of coarser levels that lie beside each other; none but for Blender.
+  Json added_levels_beside();
+
  private:
   Json where(const PlacedSolid& placed, const glm::vec3& pivot);
+  void add_shapes(Json& node, const SolidMeshes& solid);
   void add_levels(Json& node, const PlacedSolid& placed, const SolidMeshes& solid, const Json& where);
 
   GltfDocument& document_;
   const ExportOptions& options_;
+  std::vector<Json> beside_;  ///< for Blender: the nodes of each coarser level
+  double left_ = 0, right_ = 0;
 };
+
+/// Blender knows no levels and shows all nodes: so each coarser level is a copy of the scene to the right of the one
+/// before.
+Json NodeWriter::added_levels_beside() {
+  Json groups = Json::array();
+  for (std::size_t level = 0; level < beside_.size(); ++level) {
+    const double away = 1.1 * static_cast<double>(level + 1) * (right_ - left_);
+    Json group = {{"name", "LOD" + std::to_string(level + 1)}, {"translation", {away, 0.0, 0.0}}};
+    group["children"] = std::move(beside_[level]);
+    groups.push_back(document_.add("nodes", std::move(group)));
+  }
+  return groups;
+}
 
 /// Rotation and translation of a single instance; arrays of them for many.
 Json NodeWriter::where(const PlacedSolid& placed, const glm::vec3& pivot) {
@@ -88,7 +108,12 @@ Json NodeWriter::where(const PlacedSolid& placed, const glm::vec3& pivot) {
   return node;
 }
 
-/// A level replaces the node; outside the scene, viewers that do not know levels do not show it.
+/// Back from the steps of a coded mesh to metres.
+void scale(Json& node, const SolidMeshes& solid, std::size_t level) {
+  if (level < solid.scales.size()) node["scale"] = {solid.scales[level], solid.scales[level], solid.scales[level]};
+}
+
+/// A level takes the node's place; outside the scene nobody shows it who does not know why.
 void NodeWriter::add_levels(Json& node, const PlacedSolid& placed, const SolidMeshes& solid, const Json& where) {
   Json ids = Json::array();
   const std::string name = engine_name(options_.engine, placed.name);
@@ -96,27 +121,46 @@ void NodeWriter::add_levels(Json& node, const PlacedSolid& placed, const SolidMe
     Json coarser = {{"name", level_name(options_.engine, name, level, solid.meshes.size())},
                     {"mesh", solid.meshes[level]}};
     coarser.update(where);
+    scale(coarser, solid, level);
     ids.push_back(document_.add("nodes", std::move(coarser)));
   }
   if (ids.empty()) return;
+  if (options_.engine == Engine::blender) {
+    beside_.resize(std::max(beside_.size(), ids.size()), Json::array());
+    for (std::size_t level = 0; level < ids.size(); ++level) beside_[level].push_back(ids[level]);
+    return;
+  }
   document_.use_extension("MSFT_lod");
   node["extensions"]["MSFT_lod"] = {{"ids", std::move(ids)}};
   node["extras"]["MSFT_screencoverage"] = screen_coverage(solid.meshes.size());
+}
+
+/// Children that importers take for shapes to collide with.
+void NodeWriter::add_shapes(Json& node, const SolidMeshes& solid) {
+  const auto add = [&](const std::string& name, int mesh) {
+    node["children"].push_back(document_.add("nodes", {{"name", name}, {"mesh", mesh}}));
+  };
+  const std::string name = node["name"];
+  for (std::size_t part = 0; part < solid.hulls.size(); ++part)
+    add(hull_name(options_.engine, name, part, solid.hulls.size()), solid.hulls[part]);
+  if (solid.collides_by_triangles) add(triangles_name(options_.engine, name), solid.meshes.front());
 }
 
 int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid) {
   const std::string name = engine_name(options_.engine, placed.name);
   Json node = {{"name", level_name(options_.engine, name, 0, solid.meshes.size())}, {"mesh", solid.meshes.front()}};
   const Json place = where(placed, solid.pivot);
+  for (const Instance* instance : placed.instances) {
+    const double x = place_of(instance->pose, solid.pivot).x;
+    left_ = std::min(left_, x - solid.reach), right_ = std::max(right_, x + solid.reach);
+  }
   node.update(place);
+  scale(node, solid, 0);
   add_levels(node, placed, solid, place);
   if (placed.instances.size() > 1) {
     for (const Instance* instance : placed.instances) node["extras"]["instances"].push_back(instance->name);
   }
-  if (solid.hull) {
-    const Json hull = {{"name", hull_name(options_.engine, node["name"])}, {"mesh", *solid.hull}};
-    node["children"] = {document_.add("nodes", hull)};
-  }
+  add_shapes(node, solid);
   return document_.add("nodes", std::move(node));
 }
 
@@ -174,6 +218,7 @@ void add_nodes(GltfDocument& document, const Scene& scene, std::span<const Solid
     paths.push_back({scene.solids[solid].origin.entry, scene.solids[solid].origin.variant});
   }
   Json roots = added_groups(document, grouped(paths), nodes, options.engine);
+  for (const Json& level : writer.added_levels_beside()) roots.push_back(level);
   roots.push_back(add_camera(document, scene.view));
   document.scene()["nodes"] = std::move(roots);
 }

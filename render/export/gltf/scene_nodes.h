@@ -1,7 +1,6 @@
 // The nodes of a glTF file: pieces at their poses, grouped by fruit, with levels of detail and hulls.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,9 +12,12 @@ namespace pomona::gltf {
 
 /// The meshes of a solid. A solid without triangles has none, because glTF does not allow empty meshes.
 struct SolidMeshes {
-  std::vector<int> meshes;  ///< meshes of the solid, then of its coarser levels
-  std::optional<int> hull;  ///< mesh to collide with
-  glm::vec3 pivot{0};       ///< pivot of the solid: the origin of its meshes
+  std::vector<int> meshes;             ///< meshes of the solid, then of its coarser levels
+  std::vector<double> scales;          ///< of the meshes, where they are coded in steps; else empty
+  std::vector<int> hulls;              ///< meshes of the convex parts to collide with
+  bool collides_by_triangles = false;  ///< the solid's own mesh is what others collide with
+  double reach = 0;                    ///< metres from the pivot to the farthest point
+  glm::vec3 pivot{0};                  ///< pivot of the solid: the origin of its meshes
 };
 
 /// A node per instance or, where options.instances says so, one for all instances of a solid

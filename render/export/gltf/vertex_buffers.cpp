@@ -1,11 +1,15 @@
 #include "render/export/gltf/vertex_buffers.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
 #include "generator/mesh/box.h"
+#include "render/export/gltf/meshopt.h"
 
 namespace pomona::gltf {
 
@@ -75,6 +79,89 @@ Json add_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec
     attributes["TANGENT"] = document.add_accessor(tangent_view, 0, mesh.tangent.size(), Component::f32, "VEC4");
   }
   return attributes;
+}
+
+double coded_step(const StyledMesh& mesh, const glm::vec3& pivot) {
+  float largest = 0;
+  for (const glm::vec3& p : mesh.position)
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis] - pivot[axis]));
+  return largest > 0 ? static_cast<double>(largest) / 32767 : 1.0;
+}
+
+namespace {
+
+template <typename Number>
+using Four = std::array<Number, 4>;
+
+std::int8_t to_8_bits(float share) { return static_cast<std::int8_t>(std::lround(127.0f * share)); }
+
+/// 12 bits that count, the highest once more below: the largest number stays the largest.
+std::uint16_t to_12_bits(float share) {
+  const long step = std::lround(share * 4095.0f);
+  return static_cast<std::uint16_t>((step << 4) | (step >> 8));
+}
+
+/// An array of an element for each vertex, and its accessor.
+template <typename Element>
+int add_coded(GltfDocument& document, const std::vector<Element>& elements, Component component, const char* type,
+              bool is_normalized) {
+  const std::string coded = coded_elements(elements.data(), elements.size(), sizeof(Element));
+  const int view = document.add_coded_view(coded, "ATTRIBUTES", elements.size(), sizeof(Element), Target::vertices);
+  const int accessor = document.add_accessor(view, 0, elements.size(), component, type);
+  if (is_normalized) document.at("accessors", accessor)["normalized"] = true;
+  return accessor;
+}
+
+}  // namespace
+
+Json add_coded_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec3& pivot) {
+  document.require_extension("KHR_mesh_quantization");
+  const double step = coded_step(mesh, pivot);
+  const std::size_t count = mesh.position.size();
+  std::vector<Four<std::int16_t>> position(count);
+  std::vector<Four<std::int8_t>> normal(count), tangent(mesh.tangent.size());
+  std::vector<std::array<std::uint16_t, 2>> part(count), uv(mesh.uv.size());
+  std::vector<Four<std::uint16_t>> color(mesh.uv.empty() ? count : 0);
+  Box<float> box;
+  for (std::size_t v = 0; v < count; ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<int>(k);
+      const double away = static_cast<double>(mesh.position[v][axis] - pivot[axis]);
+      position[v][k] = static_cast<std::int16_t>(std::lround(away / step));
+      normal[v][k] = to_8_bits(mesh.normal[v][axis]);
+    }
+    box.add({position[v][0], position[v][1], position[v][2]});
+    part[v][0] = static_cast<std::uint16_t>(mesh.part[v]);
+    if (mesh.uv.empty())
+      color[v] = {to_12_bits(mesh.color[v].r), to_12_bits(mesh.color[v].g), to_12_bits(mesh.color[v].b), 65535};
+    else
+      uv[v] = {to_16_bits(mesh.uv[v].x), to_16_bits(mesh.uv[v].y)};
+  }
+  for (std::size_t v = 0; v < tangent.size(); ++v)
+    for (std::size_t k = 0; k < 4; ++k) tangent[v][k] = to_8_bits(mesh.tangent[v][static_cast<int>(k)]);
+
+  Json attributes;
+  const int at = add_coded(document, position, Component::i16, "VEC3", false);
+  document.at("accessors", at)["min"] = {box.low.x, box.low.y, box.low.z};
+  document.at("accessors", at)["max"] = {box.high.x, box.high.y, box.high.z};
+  attributes["POSITION"] = at;
+  attributes["NORMAL"] = add_coded(document, normal, Component::i8, "VEC3", true);
+  attributes["_PART"] = add_coded(document, part, Component::u16, "SCALAR", false);
+  if (mesh.uv.empty())
+    attributes["COLOR_0"] = add_coded(document, color, Component::u16, "VEC4", true);
+  else
+    attributes["TEXCOORD_0"] = add_coded(document, uv, Component::u16, "VEC2", true);
+  if (!tangent.empty()) attributes["TANGENT"] = add_coded(document, tangent, Component::i8, "VEC4", true);
+  return attributes;
+}
+
+int add_coded_triangles(GltfDocument& document, const std::vector<glm::uvec3>& triangle, std::size_t vertices) {
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * triangle.size());
+  for (const glm::uvec3& t : triangle) corners.insert(corners.end(), {t.x, t.y, t.z});
+  const int view =
+      document.add_coded_view(coded_triangles(corners, vertices), "TRIANGLES", corners.size(), 4, Target::indices);
+  return document.add_accessor(view, 0, corners.size(), Component::u32, "SCALAR");
 }
 
 int add_triangles(GltfDocument& document, const std::vector<glm::uvec3>& triangle, std::size_t vertices) {

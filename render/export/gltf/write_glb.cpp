@@ -1,11 +1,12 @@
 #include "render/export/gltf/write_glb.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "generator/base/error.h"
-#include "render/export/convex_hull.h"
+#include "render/export/collision/collision_shape.h"
 #include "render/export/gltf/engine_names.h"
 #include "render/export/gltf/gltf_document.h"
 #include "render/export/gltf/piece_materials.h"
@@ -48,7 +49,7 @@ class GlbStream::Writer {
   std::string finished(const Scene& scene);
 
  private:
-  std::optional<int> hull_of(const Solid& solid, const std::string& mesh_name, const glm::vec3& pivot);
+  void add_shapes(const Solid& solid, const std::string& mesh_name);
 
   ExportOptions options_;
   GltfDocument document_;
@@ -60,7 +61,7 @@ class GlbStream::Writer {
 };
 
 void GlbStream::Writer::begin(const Solid& solid, std::size_t levels) {
-  solids_.push_back({.meshes = {}, .hull = {}, .pivot = pivot_of(solid)});
+  solids_.push_back({.meshes = {}, .scales = {}, .hulls = {}, .pivot = pivot_of(solid)});
   name_ = engine_name(options_.engine, solid.name);
   levels_ = levels;
 }
@@ -72,7 +73,11 @@ void GlbStream::Writer::add(std::size_t level, const Solid& solid, const StyledM
   if (baked != nullptr) how.textures = materials_.add_textures(*baked);
   how.variant_textures = variant_textures_;
   made.meshes.push_back(add_piece_mesh(document_, materials_, solid, mesh, how, options_));
-  if (level == 0) made.hull = hull_of(solid, how.name, made.pivot);
+  if (options_.compress == Compression::meshopt) made.scales.push_back(coded_step(mesh, made.pivot));
+  if (level > 0) return;
+  for (const glm::vec3& p : mesh.position)
+    made.reach = std::max(made.reach, static_cast<double>(glm::length(p - made.pivot)));
+  add_shapes(solid, how.name);
 }
 
 void GlbStream::Writer::set_variants(std::size_t i, std::span<const TextureVariant> variants) {
@@ -90,16 +95,22 @@ void GlbStream::Writer::name_variants(std::span<const TextureVariant> variants) 
   document_.extend("KHR_materials_variants", {{"variants", std::move(names)}});
 }
 
-std::optional<int> GlbStream::Writer::hull_of(const Solid& solid, const std::string& mesh_name,
-                                              const glm::vec3& pivot) {
-  const std::string name = hull_name(options_.engine, mesh_name);
-  if (name.empty()) return {};
-  ConvexHull hull = convex_hull(solid.mesh.position);
-  if (hull.triangle.empty()) return {};
-  for (glm::vec3& p : hull.position) p -= pivot;
-  Json primitive = {{"attributes", {{"POSITION", add_positions(document_, hull.position)}}}};
-  primitive["indices"] = add_triangles(document_, hull.triangle, hull.position.size());
-  return document_.add("meshes", {{"name", name}, {"primitives", Json::array({std::move(primitive)})}});
+/// What the current solid collides with, where the engine's importer takes it from the file.
+void GlbStream::Writer::add_shapes(const Solid& solid, const std::string& mesh_name) {
+  SolidMeshes& made = solids_.back();
+  if (hull_name(options_.engine, mesh_name, 0, 1).empty()) return;
+  const bool takes_triangles = !triangles_name(options_.engine, mesh_name).empty();
+  const std::vector<ConvexHull> parts =
+      collision_parts(solid, options_.hulls, takes_triangles ? StillShape::triangles : StillShape::parts);
+  made.collides_by_triangles = parts.empty() && takes_triangles && !is_fruit(solid);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::vector<glm::vec3> position = parts[part].position;
+    for (glm::vec3& p : position) p -= made.pivot;
+    Json primitive = {{"attributes", {{"POSITION", add_positions(document_, position)}}}};
+    primitive["indices"] = add_triangles(document_, parts[part].triangle, position.size());
+    made.hulls.push_back(document_.add("meshes", {{"name", hull_name(options_.engine, mesh_name, part, parts.size())},
+                                                  {"primitives", Json::array({std::move(primitive)})}}));
+  }
 }
 
 std::string GlbStream::Writer::finished(const Scene& scene) {

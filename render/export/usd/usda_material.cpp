@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "render/export/physics_surface.h"
+
 namespace pomona::usd {
 
 namespace {
@@ -127,7 +129,11 @@ std::string open_pbr_text(const PbrMaterial& look, float opacity) {
 
 /// Indented for a prim in the scope of looks.
 std::string material_text(const std::string& name, const PbrMaterial& look, float opacity) {
-  std::string text = "    def Material \"" + name + "\"\n    {\n";
+  std::string text = "    def Material \"" + name + "\" (prepend apiSchemas = [\"PhysicsMaterialAPI\"])\n    {\n";
+  const PhysicsSurface surface = physics_surface_of(look);
+  text += "        float physics:staticFriction = " + exact(surface.static_friction) + "\n";
+  text += "        float physics:dynamicFriction = " + exact(surface.dynamic_friction) + "\n";
+  text += "        float physics:restitution = " + exact(surface.restitution) + "\n";
   text += "        token outputs:surface.connect = <surface.outputs:surface>\n";
   text += "        token outputs:mtlx:surface.connect = <light.outputs:out>\n\n";
   text += "        def Shader \"surface\"\n        {\n";

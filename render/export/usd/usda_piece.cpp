@@ -1,10 +1,13 @@
 #include "render/export/usd/usda_piece.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "generator/mesh/box.h"
+#include "generator/mesh/principal_axes.h"
 #include "generator/piece/piece_facts.h"
+#include "render/export/collision/collision_shape.h"
 #include "render/export/piece_words.h"
 
 namespace pomona::usd {
@@ -68,6 +71,13 @@ std::vector<Subset> subsets_by_part(const StyledLevel& level) {
   return subsets;
 }
 
+/// The name of the material that has the most triangles.
+std::string largest_look(const std::vector<Subset>& by_look) {
+  const auto most = std::max_element(by_look.begin(), by_look.end(),
+                                     [](const Subset& a, const Subset& b) { return a.faces.size() < b.faces.size(); });
+  return most->name.substr(std::string("look_").size());
+}
+
 void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const glm::vec3& pivot) {
   const auto line = [&](const std::string& words) { append_line(text, indent, words); };
   std::vector<glm::vec3> points = mesh.position;
@@ -96,16 +106,26 @@ void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const 
   line("int[] primvars:part = " + list(mesh.part) + " (interpolation = \"vertex\")");
 }
 
+/// How a simulator makes the shape of a mesh that things collide with; empty where hulls of their own do.
+enum class Approximation { separate_hulls, convex_hull, triangles };
+
 void append_mesh(std::string& text, int indent, const StyledLevel& level, const glm::vec3& pivot,
-                 const std::vector<Subset>& by_look) {
+                 const std::vector<Subset>& by_look, Approximation approximation) {
   const auto line = [&](const std::string& words) { append_line(text, indent, words); };
+  const bool collides = approximation != Approximation::separate_hulls;
   line("def Mesh \"mesh\" (");
-  line("    prepend apiSchemas = [\"MaterialBindingAPI\", \"PhysicsCollisionAPI\", \"PhysicsMeshCollisionAPI\"]");
+  line(std::string("    prepend apiSchemas = [\"MaterialBindingAPI\"") +
+       (collides ? ", \"PhysicsCollisionAPI\", \"PhysicsMeshCollisionAPI\"]" : "]"));
   line(")");
   line("{");
   append_arrays(text, indent + 1, level.mesh, pivot);
   line("    uniform token subdivisionScheme = \"none\"");
-  line("    uniform token physics:approximation = \"convexHull\"");
+  if (collides) {
+    const bool is_hull = approximation == Approximation::convex_hull;
+    line(std::string("    uniform token physics:approximation = ") + (is_hull ? "\"convexHull\"" : "\"none\""));
+    // Subsets have looks of their own; what they lie on has that of most.
+    if (by_look.size() > 1) line("    rel material:binding:physics = <../Looks/" + largest_look(by_look) + ">");
+  }
   if (!level.solid.closed) line("    uniform bool doubleSided = 1");
   if (by_look.size() == 1) {
     std::string binding = by_look[0].binding;
@@ -178,10 +198,51 @@ void append_variant_sets(std::string& text, bool has_levels, std::span<const Tex
   line("prepend variantSets = " + (choices.empty() ? "\"LOD\"" : has_levels ? both : "\"ripeness\""));
 }
 
-/// The piece's mesh, or those of its levels of detail.
-void append_meshes(std::string& text, std::span<const StyledLevel> levels, const glm::vec3& pivot, Looks& looks) {
+/// A convex part, which nobody draws.
+void append_hull(std::string& text, const std::string& name, const ConvexHull& hull, const glm::vec3& pivot,
+                 const std::string& look) {
+  const auto line = [&](const std::string& words) { append_line(text, 2, words); };
+  std::vector<glm::vec3> points, normals;
+  std::vector<std::int32_t> corners;
+  Box<float> box;
+  for (const glm::vec3& p : hull.position) points.push_back(p - pivot), box.add(p - pivot);
+  for (const glm::uvec3& t : hull.triangle) {
+    const glm::dvec3 a(hull.position[t.x]), b(hull.position[t.y]), c(hull.position[t.z]);
+    normals.emplace_back(glm::normalize(glm::cross(b - a, c - a)));
+    for (int k = 0; k < 3; ++k) corners.push_back(static_cast<std::int32_t>(t[k]));
+  }
+  line("def Mesh " + quoted(name) + " (");
+  line("    prepend apiSchemas = [\"MaterialBindingAPI\", \"PhysicsCollisionAPI\", \"PhysicsMeshCollisionAPI\"]");
+  line(")");
+  line("{");
+  line("    float3[] extent = [" + tuple(glm::dvec3(box.low), of_points) + ", " +
+       tuple(glm::dvec3(box.high), of_points) + "]");
+  line("    int[] faceVertexCounts = " + list(std::vector<std::int32_t>(hull.triangle.size(), 3)));
+  line("    int[] faceVertexIndices = " + list(corners));
+  line("    point3f[] points = " + list(points, of_points));
+  line("    normal3f[] normals = " + list(normals, of_normals) + " (interpolation = \"uniform\")");
+  line("    uniform token subdivisionScheme = \"none\"");
+  line("    uniform token purpose = \"guide\"");
+  line("    uniform token physics:approximation = \"convexHull\"");
+  line("    rel material:binding:physics = <../Looks/" + look + ">");
+  line("}");
+}
+
+/// Its mesh, or those of its levels of detail, and what it collides with.
+void append_meshes(std::string& text, std::span<const StyledLevel> levels, const glm::vec3& pivot, Looks& looks,
+                   int hulls) {
+  const Solid& solid = levels.front().solid;
+  std::vector<ConvexHull> parts;
+  if (is_fruit(solid) && hulls > 1) parts = collision_parts(solid, hulls, StillShape::triangles);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    append_hull(text, "hull_" + std::to_string(i + 1), parts[i], pivot,
+                largest_look(subsets_by_material(levels.front(), 0, looks)));
+  }
+  const Approximation approximation = !parts.empty()    ? Approximation::separate_hulls
+                                      : is_fruit(solid) ? Approximation::convex_hull
+                                                        : Approximation::triangles;
   const auto append = [&](std::size_t number, int indent) {
-    append_mesh(text, indent, levels[number], pivot, subsets_by_material(levels[number], number, looks));
+    append_mesh(text, indent, levels[number], pivot, subsets_by_material(levels[number], number, looks), approximation);
   };
   if (levels.size() == 1) return append(0, 2);
   append_line(text, 2, "variantSet \"LOD\" = {");
@@ -191,6 +252,14 @@ void append_meshes(std::string& text, std::span<const StyledLevel> levels, const
     append_line(text, 3, "}");
   }
   append_line(text, 2, "}");
+}
+
+/// About the centre of mass, as the moments about three axes and the rotation to these.
+void append_inertia(std::string& text, const glm::dmat3& inertia) {
+  if (inertia == glm::dmat3(0)) return;
+  const PrincipalAxes axes = principal_axes(inertia);
+  append_line(text, 2, "float3 physics:diagonalInertia = " + exact_tuple(axes.moments));
+  append_line(text, 2, "quatf physics:principalAxes = " + exact_tuple(axes.rotation));
 }
 
 }  // namespace
@@ -206,7 +275,8 @@ std::string piece_text(const std::string& name, std::span<const StyledLevel> lev
   line("def Xform \"" + name + "\" (");
   line("    kind = \"component\"");
   line("    displayName = " + quoted(solid.name));
-  line("    prepend apiSchemas = [\"PhysicsMassAPI\", \"SemanticsLabelsAPI:category\"]");
+  line(std::string("    prepend apiSchemas = [") + (is_fruit(solid) ? "\"PhysicsRigidBodyAPI\", " : "") +
+       "\"PhysicsMassAPI\", \"SemanticsLabelsAPI:category\"]");
   append_custom_data(text, solid, options);
   append_variant_sets(text, levels.size() > 1, choices);
   line(")");
@@ -214,9 +284,10 @@ std::string piece_text(const std::string& name, std::span<const StyledLevel> lev
   line("    float physics:mass = " + exact(facts.mass));
   line("    float physics:density = " + exact(facts.density));
   line("    point3f physics:centerOfMass = " + tuple(facts.center - glm::dvec3(pivot), of_points));
+  append_inertia(text, facts.inertia);
   line("    token[] semantics:labels:category = [" + quoted(fruit) + "]");
   const std::vector<std::string> own = append_looks(text, levels, looks, !choices.empty());
-  append_meshes(text, levels, pivot, looks);
+  append_meshes(text, levels, pivot, looks, options.hulls);
   if (!choices.empty()) append_texture_choices(text, 2, choices, own);
   line("}");
   return text;

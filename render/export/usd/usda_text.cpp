@@ -2,7 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
 
 #include "generator/base/utf8.h"
 
@@ -29,20 +28,9 @@ void append_tuple(std::string& text, const glm::dvec3& v, double step) {
 
 }  // namespace
 
-void append_number(std::string& text, double number, double step) {
-  // Adding zero makes -0 and 0 the same. Dividing by the whole inverse rounds right; multiplying by the step does not.
-  append(text, std::round(number / step) / std::round(1 / step) + 0.0);
-}
-
 std::string tuple(const glm::dvec3& v, double step) {
   std::string text;
   append_tuple(text, v, step);
-  return text;
-}
-
-std::string exact(double number) {
-  std::string text;
-  append(text, number + 0.0);
   return text;
 }
 

@@ -10,16 +10,14 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace pomona::usd {
+#include "render/export/decimal_text.h"
 
-/// The shortest decimal for the number rounded to multiples of `step`, a power of ten; independent of the locale.
-void append_number(std::string& text, double number, double step);
+namespace pomona::usd {
 
 /// "(1, 0.5, -2)"
 std::string tuple(const glm::dvec3& v, double step);
 
 /// Every number to the last bit.
-std::string exact(double number);
 std::string exact_tuple(const glm::dvec3& v);
 std::string exact_tuple(const glm::dquat& q);  ///< w first
 

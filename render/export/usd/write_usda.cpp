@@ -10,7 +10,9 @@
 #include "generator/base/reproducible.h"
 #include "render/export/piece_groups.h"
 #include "render/export/piece_words.h"
+#include "render/export/up_axis.h"
 #include "render/export/usd/usda_piece.h"
+#include "render/export/weld.h"
 #include "render/image/png.h"
 #include "render/picture/view_frame.h"
 
@@ -112,58 +114,100 @@ void TexturedPieces::add(const BakedSolid& solid, std::span<const BakedSolid> co
 
 std::string indented(int indent) { return std::string(static_cast<std::size_t>(4 * indent), ' '); }
 
-glm::dvec3 place_of(const Instance& instance, const Scene& scene) {
+glm::dvec3 place_of(const Instance& instance, const Scene& scene, UpAxis up) {
   const glm::dvec3 pivot(pivot_of(scene.solids[static_cast<std::size_t>(instance.solid)]));
-  return unit(instance.pose.rotation) * pivot + instance.pose.translation;
+  return place_with_up(up, unit(instance.pose.rotation) * pivot + instance.pose.translation);
 }
 
-/// A prim for a piece at its place.
-std::string instance_text(const Instance& instance, const Scene& scene, const std::string& piece, int indent,
-                          PrimNames& names) {
-  const std::string in = indented(indent);
-  std::string text = in + "def Xform \"" + names.name_for(instance.name) + "\" (\n";
+glm::dquat rotation_of(const Instance& instance, UpAxis up) {
+  return rotation_with_up(up, unit(instance.pose.rotation));
+}
+
+/// A prim for each instance, at its place, in groups within groups, as in an outliner.
+class InstancePrims {
+ public:
+  InstancePrims(const Scene& scene, const Pieces& pieces, UpAxis up) : scene_(scene), pieces_(pieces), up_(up) {
+    for (const Instance& instance : scene.instances) {
+      const auto solid = static_cast<std::size_t>(instance.solid);
+      if (pieces.name[solid].empty()) continue;
+      shown_.push_back(&instance);
+      paths_.push_back({scene.solids[solid].origin.entry, scene.solids[solid].origin.variant});
+    }
+  }
+
+  std::string text(PrimNames& names) { return group_text(grouped(paths_), "/Scene", 1, names); }
+
+  /// A joint for each weld of the pieces, after text().
+  std::string welds_text(PrimNames& names) const;
+
+ private:
+  std::string group_text(const PieceGroup& group, const std::string& within, int indent, PrimNames& names);
+  std::string instance_text(const Instance& instance, const std::string& within, int indent, PrimNames& names);
+
+  const Scene& scene_;
+  const Pieces& pieces_;
+  UpAxis up_;
+  std::vector<const Instance*> shown_;
+  std::vector<PiecePath> paths_;
+  std::map<int, std::pair<const Instance*, std::string>>
+      of_solid_;  ///< the last instance of each, and where its prim is
+};
+
+std::string InstancePrims::instance_text(const Instance& instance, const std::string& within, int indent,
+                                         PrimNames& names) {
+  const std::string in = indented(indent), name = names.name_for(instance.name);
+  of_solid_[instance.solid] = {&instance, within + "/" + name};
+  std::string text = in + "def Xform \"" + name + "\" (\n";
   text += in + "    displayName = " + quoted(instance.name) + "\n";
   text += in + "    instanceable = true\n";
-  text += in + "    prepend references = </Pieces/" + piece + ">\n" + in + ")\n" + in + "{\n";
-  text += in + "    double3 xformOp:translate = " + exact_tuple(place_of(instance, scene)) + "\n";
-  text += in + "    quatd xformOp:orient = " + exact_tuple(unit(instance.pose.rotation)) + "\n";
+  text += in + "    prepend references = </Pieces/" + pieces_.name[static_cast<std::size_t>(instance.solid)] + ">\n" +
+          in + ")\n" + in + "{\n";
+  text += in + "    double3 xformOp:translate = " + exact_tuple(place_of(instance, scene_, up_)) + "\n";
+  text += in + "    quatd xformOp:orient = " + exact_tuple(rotation_of(instance, up_)) + "\n";
   text += in + "    uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]\n";
   return text + in + "}\n";
 }
 
-/// Groups within groups, as in an outliner.
-std::string group_text(const PieceGroup& group, const Scene& scene, const std::vector<const Instance*>& instances,
-                       const Pieces& pieces, int indent, PrimNames& names) {
+std::string InstancePrims::group_text(const PieceGroup& group, const std::string& within, int indent,
+                                      PrimNames& names) {
   std::string text;
   for (const PieceGroup::Member& member : group.members) {
     if (!member.group) {
-      const Instance& instance = *instances[member.item];
-      text += instance_text(instance, scene, pieces.name[static_cast<std::size_t>(instance.solid)], indent, names);
+      text += instance_text(*shown_[member.item], within, indent, names);
       continue;
     }
-    const std::string in = indented(indent);
-    text += in + "def Xform \"" + names.name_for(member.group->name) + "\" (\n" + in + "    kind = \"group\"\n" + in +
+    const std::string in = indented(indent), name = names.name_for(member.group->name);
+    text += in + "def Xform \"" + name + "\" (\n" + in + "    kind = \"group\"\n" + in +
             "    displayName = " + quoted(member.group->name) + "\n" + in + ")\n" + in + "{\n";
-    PrimNames within;
-    text += group_text(*member.group, scene, instances, pieces, indent + 1, within) + in + "}\n";
+    PrimNames inside;
+    text += group_text(*member.group, within + "/" + name, indent + 1, inside) + in + "}\n";
   }
   return text;
 }
 
-std::string instances_text(const Scene& scene, const Pieces& pieces, PrimNames& names) {
-  std::vector<const Instance*> shown;
-  std::vector<PiecePath> paths;
-  for (const Instance& instance : scene.instances) {
-    const auto solid = static_cast<std::size_t>(instance.solid);
-    if (pieces.name[solid].empty()) continue;
-    shown.push_back(&instance);
-    paths.push_back({scene.solids[solid].origin.entry, scene.solids[solid].origin.variant});
+/// The joint's frame is that of the second piece.
+std::string InstancePrims::welds_text(PrimNames& names) const {
+  std::string text;
+  for (const Weld& weld : welds_of(scene_.solids)) {
+    const auto first = of_solid_.find(weld.contact.first), second = of_solid_.find(weld.contact.second);
+    if (first == of_solid_.end() || second == of_solid_.end()) continue;
+    const auto& [one, one_path] = first->second;
+    const auto& [other, other_path] = second->second;
+    const glm::dquat back = glm::conjugate(rotation_of(*one, up_));
+    const glm::dvec3 away = back * (place_of(*other, scene_, up_) - place_of(*one, scene_, up_));
+    text += "    def PhysicsFixedJoint \"" + names.name_for(weld_name(weld.contact)) + "\"\n    {\n";
+    text += "        rel physics:body0 = <" + one_path + ">\n        rel physics:body1 = <" + other_path + ">\n";
+    text += "        point3f physics:localPos0 = " + exact_tuple(away) + "\n";
+    text += "        quatf physics:localRot0 = " + exact_tuple(back * rotation_of(*other, up_)) + "\n";
+    text += "        point3f physics:localPos1 = (0, 0, 0)\n        quatf physics:localRot1 = (1, 0, 0, 0)\n";
+    text += "        float physics:breakForce = " + exact(weld.strength) + "\n";
+    text += "        custom double squareMetres = " + exact(weld.contact.area) + "\n    }\n";
   }
-  return group_text(grouped(paths), scene, shown, pieces, 1, names);
+  return text;
 }
 
 /// All of them as one PointInstancer, with a prototype for each solid.
-std::string point_instancer_text(const Scene& scene, const Pieces& pieces, PrimNames& names) {
+std::string point_instancer_text(const Scene& scene, const Pieces& pieces, UpAxis up, PrimNames& names) {
   std::vector<std::int32_t> proto(scene.solids.size(), -1), index;
   std::string prototypes, targets, positions, orientations;
   std::int32_t count = 0;
@@ -179,8 +223,8 @@ std::string point_instancer_text(const Scene& scene, const Pieces& pieces, PrimN
     }
     const char* comma = index.empty() ? "" : ", ";
     index.push_back(proto[solid]);
-    positions += comma + tuple(place_of(instance, scene), 1e-7);
-    const glm::dquat q = unit(instance.pose.rotation);
+    positions += comma + tuple(place_of(instance, scene, up), 1e-7);
+    const glm::dquat q = rotation_of(instance, up);
     orientations += comma + exact_tuple(glm::dquat(std::round(q.w * 1e7) / 1e7, std::round(q.x * 1e7) / 1e7,
                                                    std::round(q.y * 1e7) / 1e7, std::round(q.z * 1e7) / 1e7));
   }
@@ -193,18 +237,18 @@ std::string point_instancer_text(const Scene& scene, const Pieces& pieces, PrimN
   return text + "        def Scope \"Prototypes\"\n        {\n" + prototypes + "        }\n    }\n";
 }
 
-/// A lens on a film 24 mm high; USD measures both in tenths of a scene unit.
-std::string camera_text(const View& view, const std::string& name) {
+/// A lens on a film 24 mm high; tenths of a scene unit are what USD measures both in.
+std::string camera_text(const View& view, UpAxis up, const std::string& name) {
   const ViewFrame frame = view_frame(view);
   const double half = view.vertical_field / 2, film = 24;
   const double focal = film / 2 * reproducible::cos(half) / reproducible::sin(half);
-  const glm::dquat turned = unit(glm::quat_cast(glm::dmat3(frame.right, frame.up, frame.back)));
+  const glm::dquat turned = rotation_with_up(up, unit(glm::quat_cast(glm::dmat3(frame.right, frame.up, frame.back))));
   std::string text = "    def Camera \"" + name + "\"\n    {\n";
   text += "        float focalLength = " + exact(focal) + "\n        float verticalAperture = 24\n";
   text += "        float horizontalAperture = 32\n        float2 clippingRange = (" + exact(frame.distance / 100) +
           ", " + exact(frame.distance * 100) + ")\n";
   text += "        float focusDistance = " + exact(frame.distance) + "\n";
-  text += "        double3 xformOp:translate = " + exact_tuple(view.eye) + "\n";
+  text += "        double3 xformOp:translate = " + exact_tuple(place_with_up(up, view.eye)) + "\n";
   text += "        quatd xformOp:orient = " + exact_tuple(turned) + "\n";
   return text + "        uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]\n    }\n";
 }
@@ -214,7 +258,8 @@ std::string head_text(const std::string& camera, const ExportOptions& options) {
   std::string text = "#usda 1.0\n(\n    customLayerData = {\n        dictionary cameraSettings = {\n";
   text += "            string boundCamera = " + quoted(camera) + "\n        }\n    }\n";
   text += "    defaultPrim = \"Scene\"\n    doc = " + quoted("Made by Pomona. " + options.provenance);
-  return text + "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n";
+  return text + "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n    upAxis = " +
+         (options.up == UpAxis::z ? "\"Z\"" : "\"Y\"") + "\n)\n\n";
 }
 
 std::string render_text(const std::string& camera) {
@@ -222,14 +267,16 @@ std::string render_text(const std::string& camera) {
          ">\n    }\n}\n\n";
 }
 
-/// The whole file.
+/// The whole file. All that is drawn is below one prim; classes, which are not, lie beside it.
 std::string file_text(const Scene& scene, const Pieces& pieces, const ExportOptions& options) {
   PrimNames names;
-  const std::string shown =
-      options.instances ? point_instancer_text(scene, pieces, names) : instances_text(scene, pieces, names);
+  names.name_for("Render");
+  InstancePrims prims(scene, pieces, options.up);
+  std::string shown = options.instances ? point_instancer_text(scene, pieces, options.up, names) : prims.text(names);
+  if (options.welded && !options.instances) shown += prims.welds_text(names);
   const std::string view = names.name_for("view"), camera = "/Scene/" + view;
   std::string text = head_text(camera, options) + "def Xform \"Scene\" (\n    kind = \"assembly\"\n)\n{\n";
-  text += shown + camera_text(scene.view, view) + "}\n\n" + render_text(camera);
+  text += shown + camera_text(scene.view, options.up, view) + "\n" + render_text(camera) + "}\n\n";
   text += "class Scope \"Pieces\"\n{\n" + pieces.text + "}\n\n";
   return text + "class Scope \"Looks\"\n{\n" + pieces.looks.text() + "}\n";
 }

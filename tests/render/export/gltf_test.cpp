@@ -401,6 +401,37 @@ TEST(Gltf, EnginesFindHullsAndLevelsByTheirNames) {
   for (const std::string& name : names_of(unity["nodes"])) EXPECT_THAT(name, testing::Not(testing::HasSubstr(".")));
 }
 
+TEST(Gltf, DishesCollideByTheirTrianglesOrByParts) {
+  Scene scene = named::mixed();
+  scene.instances.resize(1);
+  scene.solids[0].origin = {};
+  const Json godot = parsed(write_glb(scene, {.engine = Engine::godot}));
+  const Json dish = node_called(godot, scene.instances[0].name);
+  ASSERT_EQ(dish["children"].size(), 1u);
+  const Json shape = godot["nodes"][dish["children"][0].get<int>()];
+  EXPECT_EQ(shape["name"], scene.instances[0].name + "-colonly");
+  EXPECT_EQ(shape["mesh"], dish["mesh"]) << "no bytes for it";
+  const Json unreal = parsed(write_glb(scene, {.engine = Engine::unreal}));
+  EXPECT_THAT(names_of(unreal["nodes"]), testing::Contains("UCX_" + scene.instances[0].name + "_00"));
+}
+
+TEST(Gltf, ForBlenderLevelsLieSideBySide) {
+  const Scene scene = grouped_boxes();
+  std::vector<std::vector<Solid>> levels(scene.solids.size());
+  levels[0] = {scene.solids[0], scene.solids[0]};
+  const std::string bytes = write_glb(scene, {.engine = Engine::blender}, levels);
+  EXPECT_THAT(json_of(bytes), testing::Not(testing::HasSubstr("MSFT_lod")));
+  const Json glb = parsed(bytes);
+  double before = 0;
+  for (const char* name : {"LOD1", "LOD2"}) {
+    const Json group = node_called(glb, name);
+    EXPECT_EQ(group["children"].size(), 1u);
+    const double away = group["translation"][0].get<double>();
+    EXPECT_GT(away - before, 0.02) << "farther than the scene is wide";
+    before = away;
+  }
+}
+
 TEST(Gltf, SaysMaterialsInExtensionsThatNobodyMustKnow) {
   const std::string json = json_of(write_glb(named::with_materials()));
   for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_specular",

@@ -68,7 +68,7 @@ TEST(Usda, NamesAreOnesThatUsdTakes) {
 TEST(Usda, NumbersAreShortAndExactToTheirStep) {
   std::string text;
   for (const double number : {0.1234567891, -0.00000004, 12.0, -0.5}) {
-    usd::append_number(text, number, 1e-7);
+    append_number(text, number, 1e-7);
     text += ' ';
   }
   EXPECT_EQ(text, "0.1234568 0 12 -0.5 ");
@@ -103,7 +103,54 @@ TEST(Usda, SaysMassAndLabels) {
   EXPECT_THAT(text, HasSubstr("string command = \"pomona cut kiwi --seed 0 --index 0 --knife half --piece 2"));
 }
 
-/// The scene's solids, each with an atlas of one texel.
+/// A scene of one piece of fruit and one dish.
+Scene piece_in_dish() {
+  Scene scene = named::mixed();
+  scene.solids[0].origin = {.source = "kiwi", .number = 1, .pieces = 1, .fruit = "kiwi"};
+  return scene;
+}
+
+TEST(Usda, PiecesMoveAndDishesStandStill) {
+  const std::string text = write_usda(piece_in_dish());
+  EXPECT_EQ(occurrences(text, "\"PhysicsRigidBodyAPI\""), 1u);
+  EXPECT_EQ(occurrences(text, "approximation = \"convexHull\""), 1u) << "the piece collides by its hull";
+  EXPECT_EQ(occurrences(text, "approximation = \"none\""), 2u) << "the others by their triangles";
+  EXPECT_EQ(occurrences(text, "physics:diagonalInertia"), occurrences(text, "physics:principalAxes"));
+}
+
+TEST(Usda, HullsTakeTheMeshesPlace) {
+  Scene scene = piece_in_dish();
+  const std::string text = write_usda(scene, {.hulls = 4});
+  EXPECT_EQ(occurrences(text, "def Mesh \"hull_"), 1u) << "a box is convex";
+  EXPECT_EQ(occurrences(text, "uniform token purpose = \"guide\""), 1u);
+  EXPECT_EQ(occurrences(text, "approximation = \"convexHull\""), 1u);
+}
+
+TEST(Usda, ZMayPointUp) {
+  Scene scene = named::mixed();
+  scene.instances.resize(1);
+  scene.instances[0].pose = {.rotation = {1, 0, 0, 0}, .translation = {1, 2, 3}};
+  scene.solids[0].origin = {};
+  const std::string text = write_usda(scene, {.up = UpAxis::z});
+  EXPECT_THAT(text, HasSubstr("upAxis = \"Z\""));
+  EXPECT_THAT(text, HasSubstr("xformOp:translate = (1, -3, 2)"));
+  EXPECT_THAT(text, HasSubstr("quatd xformOp:orient = (0.7071067811865476, 0.7071067811865476, 0, 0)"));
+}
+
+TEST(Usda, AllButClassesIsBelowOneRoot) {
+  std::istringstream lines(write_usda(named::with_materials()));
+  int depth = 0, roots = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (depth == 0 && line.starts_with("def ")) ++roots;
+    const std::size_t last = line.find_last_not_of(' ');
+    if (last != std::string::npos && line[last] == '{') ++depth;
+    if (last != std::string::npos && line[last] == '}' && line.find('{') == std::string::npos) --depth;
+  }
+  EXPECT_EQ(roots, 1);
+  EXPECT_EQ(depth, 0);
+}
+
+/// The scene's solids on atlases of a texel each.
 std::vector<BakedSolid> on_atlases(const Scene& scene) {
   std::vector<BakedSolid> baked;
   for (const Solid& solid : scene.solids) {

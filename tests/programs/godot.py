@@ -1,0 +1,31 @@
+"""Godot 3 without a window: imports a .glb, and runs a script on it."""
+
+import pathlib
+import shutil
+import subprocess
+import time
+
+
+def imported(file, folder):
+    """A project with this scene, imported. The folder is made anew."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    shutil.copy(file, folder / "scene.glb")
+    (folder / "project.godot").write_text('config_version=4\n[application]\nconfig/name="pomona"\n')
+
+    # Godot 3's server imports what is in the folder, and then never ends: so it is ended when the scene is there.
+    with open(folder / "import.log", "w") as log:
+        editor = subprocess.Popen(["godot3-server", "--editor", "--quit", "--path", folder], stdout=log, stderr=log)
+        ends = time.monotonic() + 120
+        while not list((folder / ".import").glob("scene.glb-*.md5")) and time.monotonic() < ends and editor.poll() is None:
+            time.sleep(0.1)
+        time.sleep(0.5)
+        editor.kill()
+        editor.wait()
+
+
+def printed(folder, script):
+    """What a script beside this file prints, run in the project."""
+    shutil.copy(pathlib.Path(__file__).with_name(script), folder)
+    result = subprocess.run(["godot3-server", "--path", folder, "-s", script], capture_output=True, text=True, timeout=120)
+    return result.stdout

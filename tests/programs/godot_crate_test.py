@@ -1,0 +1,43 @@
+#!/usr/bin/env python3
+"""Godot lets the pieces of a full crate move for two seconds: the crate collides by its triangles, and stays full.
+
+    godot_crate_test.py FILE.glb FOLDER
+"""
+
+import pathlib
+import re
+import sys
+
+from glb import Glb
+from godot import imported, printed
+
+FILE, FOLDER = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+imported(FILE, FOLDER)
+out = printed(FOLDER, "godot_crate.gd")
+still = re.findall(r"^STILL (\S+) (\w+)$", out, re.M)
+places = {word: {name: tuple(map(float, p.split())) for name, p in re.findall(rf"^{word} (\S+) (.*)$", out, re.M)} for word in ("BEGIN", "END")}
+
+# Where the crate is: its box, which it is not turned out of, from the file.
+glb = Glb(FILE)
+crate = glb.nodes_with_meshes()["crate"]
+position = glb.json["accessors"][glb.json["meshes"][crate["mesh"]]["primitives"][0]["attributes"]["POSITION"]]
+at = crate.get("translation", [0, 0, 0])
+low, high = ([position[end][k] + at[k] for k in range(3)] for end in ("min", "max"))
+high[1] += 0.05  # they may be heaped over its rim
+
+
+def is_inside(place):
+    return all(low[k] < place[k] < high[k] for k in range(3))
+
+
+pieces = [name for name, node in glb.nodes_with_meshes().items() if "col" not in name and name != "crate"]
+wrong = []
+if set(still) != {("crate", "ConcavePolygonShape")}:
+    wrong.append(f"what stands still: {still}")
+for word, found in places.items():
+    if len(found) != len(pieces):
+        wrong.append(f"{word}: {len(found)} of {len(pieces)} pieces move")
+    wrong += [f"{word}: {name} is out of the crate, at {place}" for name, place in found.items() if not is_inside(place)]
+if wrong:
+    sys.exit("\n".join(wrong) + "\n" + out[-2000:])
+print(f"godot: {len(pieces)} pieces stay in the crate")

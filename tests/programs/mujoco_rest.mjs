@@ -1,0 +1,71 @@
+// Cut fruit loads in MuJoCo, weighs what the list of pieces says, and comes to rest within five simulated seconds.
+//   node mujoco_rest.mjs PROGRAM FOLDER [TEMPLATE...]   without templates: all that the program lists
+import assert from 'node:assert';
+import {execFileSync} from 'node:child_process';
+import {mkdirSync, readFileSync} from 'node:fs';
+import {join} from 'node:path';
+
+import {opened, run, speed} from './mujoco.mjs';
+
+const [program, folder, ...named] = process.argv.slice(2);
+mkdirSync(folder, {recursive: true});
+const knives = ['half', 'across', 'wedges:4', 'slices:5', 'dice:25mm'];
+
+const templates = named.length ? named : JSON.parse(execFileSync(program, ['list', '--json'])).map((one) => one.name);
+
+const numbers = (words) => words.trim().split(/\s+/).map(Number);
+
+/** The lowest corner of all that one sees of each body, by its name. */
+function lowestCorners(text) {
+  const ofMesh = new Map();
+  for (const [, name, vertices] of text.matchAll(/<mesh name="([^"]*)" inertia="shell" vertex="([^"]*)"/g)) {
+    const low = [Infinity, Infinity, Infinity];
+    numbers(vertices).forEach((value, i) => low[i % 3] = Math.min(low[i % 3], value));
+    ofMesh.set(name, low);
+  }
+  const ofBody = new Map();
+  for (const [, name, body] of text.matchAll(/<body name="([^"]*)"(.*?)<\/body>/gs)) {
+    const lows = [...body.matchAll(/class="seen" mesh="([^"]*)"/g)].map(([, mesh]) => ofMesh.get(mesh));
+    ofBody.set(name, [0, 1, 2].map((k) => Math.min(...lows.map((low) => low[k]))));
+  }
+  return ofBody;
+}
+
+const plain = (name) => name.replaceAll(/[^A-Za-z0-9]/g, '_');
+const wrong = [];
+let pieces = 0;
+for (const template of templates) {
+  for (const knife of knives) {
+    const xml = join(folder, 'cut.xml'), list = join(folder, 'pieces.json');
+    execFileSync(program, [
+      'cut', template, '--seed', '1', '--knife', knife, '--detail', '0.4', '--quality', 'draft', '--faces', 'coarse',
+      '--style', 'plain', '--quiet', '-o', xml, '--pieces', list
+    ]);
+    const what = `${template} ${knife}`;
+    const corners = lowestCorners(readFileSync(xml, 'utf8'));
+    const simulation = opened(xml);
+    const {model, data, names} = simulation;
+    for (const piece of JSON.parse(readFileSync(list)).pieces) {
+      const body = names.indexOf(plain(piece.name));
+      assert(body > 0, `${what}: ${piece.name} is not there`);
+      ++pieces;
+      if (!piece.closed) continue;
+      assert(Math.abs(model.body_mass[body] / piece.mass - 1) < 1e-6, `${what}: mass of ${piece.name}`);
+      for (let k = 0; k < 3; ++k) {
+        const pivot = piece.low[k] - corners.get(names[body])[k];
+        const center = pivot + model.body_ipos[3 * body + k];
+        assert(Math.abs(center - piece.center[k]) < 1e-6, `${what}: centre of ${piece.name}`);
+      }
+    }
+    // At rest: for half a second nothing is faster than a centimetre a second.
+    let still = 0;
+    run(simulation, 5, () => {
+      still = speed(simulation, 0.03) < 0.01 ? still + 1 : 0;
+      return still >= 250;
+    });
+    if (still < 250) wrong.push(`${what}: ${speed(simulation, 0.03).toFixed(4)} m/s after ${data.time.toFixed(2)} s`);
+    simulation.close();
+  }
+}
+assert.deepEqual(wrong, [], 'not at rest');
+console.log(`${templates.length} templates by ${knives.length} knives: ${pieces} pieces at rest`);
