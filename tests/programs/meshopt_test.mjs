@@ -11,8 +11,19 @@ function opened(file) {
   return {gltf: JSON.parse(bytes.subarray(20, 20 + length)), buffer: bytes.subarray(28 + length)};
 }
 
-const kinds = {5120: Int8Array, 5122: Int16Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array};
-const widths = {SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4};
+const kinds = {
+  5120: Int8Array,
+  5122: Int16Array,
+  5123: Uint16Array,
+  5125: Uint32Array,
+  5126: Float32Array
+};
+const widths = {
+  SCALAR: 1,
+  VEC2: 2,
+  VEC3: 3,
+  VEC4: 4
+};
 
 /** The numbers of an accessor, whatever way they are coded. */
 function numbersOf({gltf, buffer}, index) {
@@ -21,7 +32,9 @@ function numbersOf({gltf, buffer}, index) {
   let bytes = buffer.subarray(view.byteOffset ?? 0, (view.byteOffset ?? 0) + view.byteLength);
   if (coded) {
     bytes = new Uint8Array(coded.count * coded.byteStride);
-    MeshoptDecoder.decodeGltfBuffer(bytes, coded.count, coded.byteStride, buffer.subarray(coded.byteOffset, coded.byteOffset + coded.byteLength), coded.mode);
+    MeshoptDecoder.decodeGltfBuffer(
+      bytes, coded.count, coded.byteStride, buffer.subarray(coded.byteOffset, coded.byteOffset + coded.byteLength),
+      coded.mode);
   }
   const Kind = kinds[accessor.componentType], width = widths[accessor.type];
   const stride = view.byteStride ?? Kind.BYTES_PER_ELEMENT * width;
@@ -36,17 +49,23 @@ function numbersOf({gltf, buffer}, index) {
 const [plain, coded] = process.argv.slice(2).map(opened);
 assert.deepEqual(coded.gltf.extensionsRequired.toSorted(), ['EXT_meshopt_compression', 'KHR_mesh_quantization']);
 assert.equal(coded.gltf.meshes.length, plain.gltf.meshes.length);
-const scaleOf = new Map(coded.gltf.nodes.filter((node) => node.mesh !== undefined).map((node) => [node.mesh, node.scale[0]]));
+const scaleOf =
+  new Map(coded.gltf.nodes.filter((node) => node.mesh !== undefined).map((node) => [node.mesh, node.scale[0]]));
 let vertices = 0;
 plain.gltf.meshes.forEach((mesh, m) => {
   const other = coded.gltf.meshes[m];
   mesh.primitives.forEach((primitive, p) => {
-    const place = numbersOf(plain, primitive.attributes.POSITION), steps = numbersOf(coded, other.primitives[p].attributes.POSITION);
+    const place = numbersOf(plain, primitive.attributes.POSITION),
+          steps = numbersOf(coded, other.primitives[p].attributes.POSITION);
     const scale = scaleOf.get(m);
-    place.forEach((value, i) => assert(Math.abs(value - steps[i] * scale) <= 0.51 * scale, `${mesh.name}: place of vertex ${i / 3 | 0}`));
-    const color = numbersOf(plain, primitive.attributes.COLOR_0), codedColor = numbersOf(coded, other.primitives[p].attributes.COLOR_0);
+    place.forEach(
+      (value, i) =>
+        assert(Math.abs(value - steps[i] * scale) <= 0.51 * scale, `${mesh.name}: place of vertex ${i / 3 | 0}`));
+    const color = numbersOf(plain, primitive.attributes.COLOR_0),
+          codedColor = numbersOf(coded, other.primitives[p].attributes.COLOR_0);
     color.forEach((value, i) => assert(Math.abs(value - codedColor[i]) <= 17, `${mesh.name}: colour`));
-    assert.deepEqual(numbersOf(coded, other.primitives[p].attributes._PART), numbersOf(plain, primitive.attributes._PART));
+    assert.deepEqual(
+      numbersOf(coded, other.primitives[p].attributes._PART), numbersOf(plain, primitive.attributes._PART));
     // The same triangles, in another order, from other corners.
     const triangles = (list) => {
       const all = [];
@@ -56,7 +75,8 @@ plain.gltf.meshes.forEach((mesh, m) => {
       }
       return all.sort();
     };
-    assert.deepEqual(triangles(numbersOf(coded, other.primitives[p].indices)), triangles(numbersOf(plain, primitive.indices)));
+    assert.deepEqual(
+      triangles(numbersOf(coded, other.primitives[p].indices)), triangles(numbersOf(plain, primitive.indices)));
     vertices += place.length / 3;
   });
 });
