@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,30 +53,33 @@ ExitStatus list_styles(bool json) {
   return ExitStatus::done;
 }
 
-ExitStatus list_scenes(bool json) {
+/// \param title_of nothing where the file is not of the wanted kind.
+ExitStatus list_scene_files(bool json, std::optional<std::string> (*title_of)(const std::filesystem::path& file)) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const auto& file : own_files("scenes")) {
-    if (is_batch_file(file) || is_data_file(file)) continue;
-    const SceneDescription scene = read_scene(file);
+    const std::optional<std::string> title = title_of(file);
+    if (!title) continue;
     const std::string name = file.stem().string();
-    all.push_back({{"name", name}, {"title", scene.title}});
-    if (!json) print_row({name, scene.title});
+    all.push_back({{"name", name}, {"title", *title}});
+    if (!json) print_row({name, *title});
   }
   if (json) std::printf("%s\n", json_text(all, 2).c_str());
   return ExitStatus::done;
 }
 
-ExitStatus list_batches(bool json) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const auto& file : own_files("scenes")) {
-    if (!is_batch_file(file)) continue;
-    const BatchDescription batch = read_batch(file);
-    const std::string name = file.stem().string();
-    all.push_back({{"name", name}, {"title", batch.title}});
-    if (!json) print_row({name, batch.title});
-  }
-  if (json) std::printf("%s\n", json_text(all, 2).c_str());
-  return ExitStatus::done;
+std::optional<std::string> title_of_scene(const std::filesystem::path& file) {
+  if (!is_scene_file(file)) return {};
+  return read_scene(file).title;
+}
+
+std::optional<std::string> title_of_batch(const std::filesystem::path& file) {
+  if (!is_batch_file(file)) return {};
+  return read_batch(file).title;
+}
+
+std::optional<std::string> title_of_data_set(const std::filesystem::path& file) {
+  if (!is_data_file(file)) return {};
+  return read_data(file).title;
 }
 
 ExitStatus list_templates(bool json) {
@@ -101,21 +105,26 @@ ExitStatus list_templates(bool json) {
 }  // namespace
 
 DeclaredCommand list_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("list", "Print the templates: name, symmetry, parts; or the scenes, batches or styles");
+  CLI::App* command = app.add_subcommand(
+      "list", "Print the templates: name, symmetry, parts; or the scenes, batches, data sets or styles");
   const auto json = std::make_shared<bool>(false);
   const auto scenes = std::make_shared<bool>(false);
   const auto styles = std::make_shared<bool>(false);
   const auto batches = std::make_shared<bool>(false);
+  const auto data_sets = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print them as JSON");
   CLI::Option* asks_for_scenes = command->add_flag("--scenes", *scenes, "Print the scenes instead: name, title");
   CLI::Option* asks_for_styles = command->add_flag("--styles", *styles, "Print the styles instead: name, title");
   CLI::Option* asks_for_batches = command->add_flag("--batches", *batches, "Print the batches instead: name, title");
+  CLI::Option* asks_for_data_sets =
+      command->add_flag("--data-sets", *data_sets, "Print the data sets instead: name, title");
   asks_for_styles->excludes(asks_for_scenes);
   asks_for_batches->excludes(asks_for_scenes)->excludes(asks_for_styles);
-  return {command, [json, scenes, styles, batches] {
-            if (*scenes) return list_scenes(*json);
-            if (*batches) return list_batches(*json);
+  asks_for_data_sets->excludes(asks_for_scenes)->excludes(asks_for_styles)->excludes(asks_for_batches);
+  return {command, [json, scenes, styles, batches, data_sets] {
+            if (*scenes) return list_scene_files(*json, title_of_scene);
+            if (*batches) return list_scene_files(*json, title_of_batch);
+            if (*data_sets) return list_scene_files(*json, title_of_data_set);
             return *styles ? list_styles(*json) : list_templates(*json);
           }};
 }

@@ -74,7 +74,7 @@ def with_keys(schema, options):
         for key, value in keys.items():
             properties[key] = value
         for format_list in (properties["formats"]["anyOf"][0], properties["formats"]["anyOf"][1]["items"]):
-            format_list["enum"] = ["ply", "glb", "usda", "obj", "stl", "pov", "svg", "html", "pomona"]
+            format_list["enum"] = ["ply", "glb", "usda", "obj", "stl", "pov", "svg", "html", "pomona", "xml", "urdf"]
     return schema
 
 

@@ -281,7 +281,8 @@ SceneDescription read_scene(const std::filesystem::path& file) {
 }
 
 bool is_scene_file(const std::filesystem::path& file) {
-  return has_toml_heading(file, {"[[pieces]]", "[bowl]", "[[dishes]]"});
+  // A data set describes dishes, too.
+  return has_toml_heading(file, {"[[pieces]]", "[bowl]", "[[dishes]]"}) && !has_toml_heading(file, {"[data]"});
 }
 
 }  // namespace pomona

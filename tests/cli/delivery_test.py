@@ -71,8 +71,9 @@ VALUES = {
     "piece": "2", "explode": "1.5", "crumbs": "true", "diffuser": '"harmonic"', "style": '"plain"', "texel": '"4mm"',
     "maps": '"all"', "ripeness_variants": '"0.5,1"', "engine": '"unity"', "instances": "true", "feature_ids": "true",
     "size": '"320x240"', "dpi": "150", "view": '"30,20"',
+    "compress": '"meshopt"', "up": '"z"', "hulls": "3",
 }
-FORMATS = ("ply", "glb", "usda", "obj", "stl", "pov", "svg", "html", "pomona")
+FORMATS = ("ply", "glb", "usda", "obj", "stl", "pov", "svg", "html", "pomona", "xml", "urdf")
 
 
 class Batches(Sandbox):
@@ -116,7 +117,7 @@ class Batches(Sandbox):
                 self.path = pathlib.Path(folder)
                 heeded = [name for name in ("glb", "svg") if not option["formats"] or name in option["formats"]]
                 fruit = {"detail": '0.4'} if key != "detail" else {}
-                self.assert_same({**fruit, key: VALUES[key]}, heeded or ["glb"])
+                self.assert_same({**fruit, key: VALUES[key]}, heeded or option["formats"][:1])
 
 
 class Table(unittest.TestCase):

@@ -31,7 +31,7 @@ class InstalledTree(unittest.TestCase):
         return run(self.program, *words, folder=self.folder.name, status=status)
 
     def test_knows_all_templates_scenes_batches_and_styles(self):
-        for kind, *options in (("templates", ""), ("scenes", "--scenes", "--batches"), ("styles", "--styles")):
+        for kind, *options in (("templates", ""), ("scenes", "--scenes", "--batches", "--data-sets"), ("styles", "--styles")):
             there = sorted(file.stem for file in (SOURCE / kind).glob("*.toml"))
             listed = [line.split("\t")[0] for option in options for line in self.pomona("list", *option.split()).splitlines()]
             self.assertEqual(sorted(listed), there, kind)

@@ -28,25 +28,28 @@ struct RoughPart {
   double excess = 0;  ///< cubic metres that its hull holds beyond it
 };
 
-/// Directions all around, in the order of a grid on a cube.
-const std::vector<glm::vec3>& directions() {
-  static const std::vector<glm::vec3> all = [] {
+/// How many directions a rough hull is asked for: few to compare planes, more to know when a part is good.
+enum class HullDirections { few, many };
+
+/// HullDirections all around, in the order of a grid on a cube.
+const std::vector<glm::vec3>& directions(HullDirections how_many) {
+  const auto grid = [](int steps) {
     std::vector<glm::vec3> list;
-    constexpr int steps = 2;
     for (int x = -steps; x <= steps; ++x)
       for (int y = -steps; y <= steps; ++y)
         for (int z = -steps; z <= steps; ++z)
           if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == steps) list.emplace_back(x, y, z);
     return list;
-  }();
-  return all;
+  };
+  static const std::vector<glm::vec3> few = grid(1), many = grid(2);
+  return how_many == HullDirections::few ? few : many;
 }
 
 /// The volume of the hull of the points that stand out most along the directions: nearly that of their hull, and soon
 /// found.
-double rough_hull_volume(const std::vector<glm::vec3>& points) {
+double rough_hull_volume(const std::vector<glm::vec3>& points, HullDirections how_many) {
   std::vector<glm::vec3> chosen;
-  for (const glm::vec3& along : directions()) {
+  for (const glm::vec3& along : directions(how_many)) {
     float farthest = -std::numeric_limits<float>::infinity();
     std::size_t at = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -55,13 +58,17 @@ double rough_hull_volume(const std::vector<glm::vec3>& points) {
     }
     if (!points.empty()) chosen.push_back(points[at]);
   }
-  return volume_of(convex_hull(chosen, 2 * directions().size()));
+  return volume_of(convex_hull(chosen, 2 * chosen.size()));
+}
+
+double excess_of(const RoughPart& part, HullDirections how_many) {
+  return rough_hull_volume(part.surface.points(), how_many) - part.volume;
 }
 
 RoughPart part_of(CutSurface surface) {
   RoughPart part{.surface = std::move(surface)};
   part.volume = part.surface.volume();
-  part.excess = rough_hull_volume(part.surface.points()) - part.volume;
+  part.excess = excess_of(part, HullDirections::many);
   return part;
 }
 
@@ -84,20 +91,27 @@ std::vector<CuttingPlane> planes_for(const CutSurface& surface) {
   return planes;
 }
 
-/// The part cut where hulls hold the least; nothing if no plane goes through it.
+/// The part cut where hulls hold the least, as few directions tell; nothing if no plane goes through it.
 std::optional<std::array<RoughPart, 2>> best_cut(const RoughPart& part) {
   std::optional<std::array<RoughPart, 2>> best;
   double least = std::numeric_limits<double>::infinity();
   for (const CuttingPlane& plane : planes_for(part.surface)) {
     std::array<CutSurface, 2> sides = divided(part.surface, plane);
     if (sides[0].skin.empty() || sides[1].skin.empty()) continue;
-    std::array<RoughPart, 2> parts{part_of(std::move(sides[0])), part_of(std::move(sides[1]))};
+    std::array<RoughPart, 2> parts;
+    for (std::size_t i = 0; i < 2; ++i) {
+      parts[i].surface = std::move(sides[i]);
+      parts[i].volume = parts[i].surface.volume();
+    }
     // Slivers do not help, though they cost little.
     const double share = parts[0].volume / part.volume;
     if (part.volume > 0 && (share < 0.02 || share > 0.98)) continue;
+    for (RoughPart& side : parts) side.excess = excess_of(side, HullDirections::few);
     const double price = (parts[0].excess + parts[1].excess + part.volume) * (1 + 0.02 * std::abs(share - 0.5));
     if (price < least) least = price, best = std::move(parts);
   }
+  if (best)
+    for (RoughPart& side : *best) side.excess = excess_of(side, HullDirections::many);
   return best;
 }
 
