@@ -8,11 +8,12 @@ await MeshoptDecoder.ready;
 
 function opened(file) {
   const bytes = readFileSync(file), length = bytes.readUInt32LE(12);
-  return {gltf: JSON.parse(bytes.subarray(20, 20 + length)), buffer: bytes.subarray(28 + length)};
+  return {gltf: JSON.parse(bytes.subarray(20, 20 + length)), buffer: new Uint8Array(bytes.subarray(28 + length))};
 }
 
 const kinds = {
   5120: Int8Array,
+  5121: Uint8Array,
   5122: Int16Array,
   5123: Uint16Array,
   5125: Uint32Array,
