@@ -9,6 +9,7 @@
 #include "generator/knife/read_knife.h"
 #include "generator/order/option_key.h"
 #include "generator/template/template.h"
+#include "generator/text/one_or_many.h"
 #include "generator/text/read_name.h"
 #include "generator/text/toml_document.h"
 #include "generator/text/toml_text.h"
@@ -18,15 +19,6 @@ namespace pomona {
 namespace {
 
 constexpr int largest_seed = std::numeric_limits<int>::max();
-
-/// A list of values, or one value alone; nothing where there is none.
-std::vector<TomlValue> one_or_many(const TomlValue& value) {
-  if (!value.given()) return {};
-  if (!value.is(TomlNode::Kind::array)) return {value};
-  std::vector<TomlValue> values = value.values();
-  if (values.empty()) value.error("is empty", "leave it out, or write at least one");
-  return values;
-}
 
 /// Each read by `read`; what stood there before where nothing is given. No two may be the same: their items would be.
 template <typename Value, typename Read>

@@ -11,6 +11,7 @@
 #include "generator/knife/read_knife.h"
 #include "generator/order/option_key.h"
 #include "generator/scene/read_dish.h"
+#include "generator/text/one_or_many.h"
 #include "generator/text/read_name.h"
 #include "generator/text/toml_text.h"
 
@@ -55,14 +56,6 @@ WholeLaw whole_law(const TomlValue& value, const WholeLaw& fallback, int low, in
 std::optional<Within> number_law_if_given(const TomlValue& value, const Within& within) {
   if (!value.given()) return {};
   return number_law(value, {within.low, within.low}, within);
-}
-
-std::vector<TomlValue> one_or_many(const TomlValue& value) {
-  if (!value.given()) return {};
-  if (!value.is(TomlNode::Kind::array)) return {value};
-  std::vector<TomlValue> values = value.values();
-  if (values.empty()) value.error("is empty", "leave it out, or write at least one");
-  return values;
 }
 
 template <typename Choice>
