@@ -1,7 +1,6 @@
 // What there is to grow, to compose, and to draw in.
 #include "cli/options/find_style.h"
 #include "cli/options/find_template.h"
-#include "generator/batch/batch_file.h"
 #include "generator/scene/scene_file.h"
 #include "generator/template/read/read_template.h"
 #include "python/binding/python.h"
@@ -24,7 +23,7 @@ py::list templates() {
 py::list scenes() {
   py::list all;
   for (const std::filesystem::path& file : own_files("scenes"))
-    if (!is_batch_file(file)) all.append(py::make_tuple(file.stem().string(), read_scene(file).title, file));
+    if (is_scene_file(file)) all.append(py::make_tuple(file.stem().string(), read_scene(file).title, file));
   return all;
 }
 
