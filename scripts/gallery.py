@@ -121,19 +121,17 @@ def block(name):
     """What templates/README.md shows of one template."""
     template = read(name)
     folder = f"../{PICTURES}/{name}"
-    large = [image(f"{folder}/{view}.png", f"{name}, {alt}", LARGE_SHOWN)
-             for view, alt in (("surfaces", "its surfaces"), ("whole", "whole"), ("half", "half"), ("across", "across"))]
-    small = [image(f"{folder}/seed_{seed}_across.png", f"{name}, seed {seed}, across", SMALL_SHOWN)
-             for seed in SEEDS if varies(name)]
-    rows = [image(f"{folder}/{row}.png", f"{name}, seeds {', '.join(map(str, ROW_SEEDS))}, {what}", ROW_SHOWN)
-            for row, what in (("seeds", "whole"), ("seeds_half", "halves")) if varies(name)]
+    large = [image(f"{folder}/{view}.png", view, LARGE_SHOWN) for view in ("surfaces", "whole", "half", "across")]
+    small = [image(f"{folder}/seed_{seed}_across.png", f"seed {seed}", SMALL_SHOWN) for seed in SEEDS if varies(name)]
+    rows = [image(f"{folder}/{row}.png", f"seeds {what}", ROW_SHOWN)
+            for row, what in (("seeds", "whole"), ("seeds_half", "halved")) if varies(name)]
     return "\n".join([
         f"### {template.get('title', name)}",
         "",
         textwrap.fill(f"[`{name}`]({name}.toml), {symmetry(template)}. {opening(name)}", 120, break_on_hyphens=False),
         "",
         *large,
-        image(f"{folder}/halves.png", f"{name}, its halves", WIDE_SHOWN),
+        image(f"{folder}/halves.png", "halves", WIDE_SHOWN),
         "",
         *([*small, "", *rows, ""] if small else []),
     ])
