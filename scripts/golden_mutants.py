@@ -147,15 +147,14 @@ def failures(result):
 
 def write_report(mutants, results):
     lines = ["# Faults that goldens see", "",
-             "Faults seeded into the program, one at a time, and the golden pictures that saw them. `make golden-mutants` writes",
-             "this page; tests/golden/mutants.toml describes the faults, [golden.md](../guides/golden.md) says what the goldens are.", "",
-             f"{len(mutants)} faults, {sum(bool(failures(results[m['name']])) for m in mutants)} seen. By how much: the mean FLIP, the largest "
-             "difference of 255, the share of the pixels.", "",
-             "| fault | in | seen by | by how much |", "|---|---|---|---|"]
+             "`make golden-mutants` writes this page. `tests/golden/mutants.toml` describes the faults,",
+             "[golden.md](../guides/golden.md) the goldens.", "",
+             f"{len(mutants)} faults, {sum(bool(failures(results[m['name']])) for m in mutants)} seen.", "",
+             "| fault | in | seen by | mean FLIP |", "|---|---|---|---|"]
     for mutant in mutants:
         seen = failures(results[mutant["name"]])
         by = "<br>".join(seen) or "**nothing**"
-        much = "<br>".join(by_how_much(figures) for figures in seen.values())
+        much = "<br>".join(by_how_much(figures).split(",")[0] for figures in seen.values())
         lines.append(f"| {mutant['name']} | {mutant['file']} | {by} | {much} |")
     (ROOT / "docs" / "reports" / "golden_mutants.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
 

@@ -63,8 +63,7 @@ def main():
     elif options.verb == "show":
         show_all(copy, faults, options)
     else:
-        how = " ".join(__doc__.split("\n\n")[2:]).replace("\n", " ").strip()
-        report(faults, how)
+        report(faults)
     return 0
 
 

@@ -142,9 +142,8 @@ def write_shown(rows):
 def report():
     rows, groups = kept(), {"ours": "Seeded here", "review": "Seeded by a reviewer, before these tests were written"}
     text = ["# Faults of meaning, and which tests see them", "",
-            "Written by `make semantic-faults`. Each fault is one that a person makes: a wrong frame, unit, mask, key or order, a",
-            "value of the item before. All are compiled into one program, each behind a switch",
-            "(`tests/semantic_faults.toml` has their texts, and what a user gets), and shown to tests of `tests/meaning` and a few",
+            "`make semantic-faults` writes this page. Each fault is one that a person makes: a wrong frame, unit, mask, key or",
+            "order, a value of the item before (`tests/semantic_faults.toml`). They are shown to tests of `tests/meaning` and a few",
             "of `tests/cli`; none of these compares with a golden.", ""]
     for group, title in groups.items():
         chosen = [fault for fault in faults().values() if fault.get("group", "ours") == group]
@@ -154,7 +153,8 @@ def report():
         text += [f"## {title}: {len(seen)} of {len(chosen)} seen", "", "| file | fault | seen by |", "|---|---|---|"]
         for fault in chosen:
             by = rows.get(key_of(fault), ["not shown"])[0]
-            text.append(f"| `{fault['file']}` | {fault['kind']} | {by.replace('_', ' ')} |")
+            named = by if by.startswith("not ") else "`" + by.replace(" test_", ".test_") + "`"
+            text.append(f"| `{fault['file']}` | {fault['kind']} | {named} |")
         text.append("")
     REPORT.write_text("\n".join(text), encoding="utf-8")
 

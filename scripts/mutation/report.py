@@ -17,8 +17,8 @@ def folder_of(file):
     return "/".join(file.split("/")[:2])
 
 
-def report(faults, how):
-    """Writes the page and says its figures. `how` tells, for the page, what faults there are and how they are asked."""
+def report(faults):
+    """Writes the page and says its figures."""
     results, equivalent, unseen = read_results(), said("equivalent"), said("unseen")
     # A change of some source moves what is drawn; what was shown counts as long as it can be found in its file.
     there = {f.name: f for file in sources() for f in all_faults(file)} | {f.name: f for f in faults}
@@ -26,7 +26,8 @@ def report(faults, how):
     survived = [(f, r) for f, r in judged if r[0] != "seen"]
     figures = told_figures(faults, results, judged, [f for f, _ in survived], equivalent)
     lines = ["# Mutants", "",
-             f"Faults that a tool has put into the sources, and whether tests other than goldens see them. `make mutants` writes this page. {how}", "",
+             f"Faults that a tool has put into the sources, and whether tests other than goldens see them. `make mutants` writes "
+             "this page; `scripts/mutants.py` says how they are drawn and shown.", "",
              figures, "", *[line for first in first_figures() for line in (first, "")],
              *folders_table(judged, equivalent), "",
              "Survivors that could be seen; `tests/mutants.toml` says of the others why nothing can see them. \"Asked\" is how many tests a "
