@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "generator/compose/grow.h"
 #include "generator/cut/section/cross_section.h"
 #include "generator/knife/knife.h"
-#include "generator/piece/grow.h"
 #include "generator/template/template.h"
 
 namespace pomona::bench {

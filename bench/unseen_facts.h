@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generator/base/random.h"
-#include "generator/piece/grow.h"
+#include "generator/compose/grow.h"
 #include "generator/template/template.h"
 
 namespace pomona::bench {

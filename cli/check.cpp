@@ -21,6 +21,7 @@
 #include "generator/base/json_text.h"
 #include "generator/base/printable.h"
 #include "generator/base/small_ending.h"
+#include "generator/compose/grow.h"
 #include "generator/data/data_file.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/make_parts.h"
@@ -155,7 +156,8 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
     return {};
   }
   const Template fruit = read_template(file);
-  std::vector<std::string> warnings = body_warnings(sweep(fruit), file);
+  std::vector<std::string> warnings =
+      body_warnings(fruit.places.empty() ? sweep(fruit) : grow(fruit, {}, {.as_drawn = true}).swept, file);
   scatter_grains(fruit, {});
   for (const std::string& warning : spot_warnings(fruit)) warnings.push_back(warning);
   for (const std::string& warning : half_wall_warnings(fruit)) warnings.push_back(warning);

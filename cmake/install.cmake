@@ -60,7 +60,7 @@ target_link_libraries(pomona_archive PUBLIC glm::glm PRIVATE PkgConfig::POMONA_N
 # The steps of docs/guides/library.md; what these include is installed with them.
 set(POMONA_PUBLIC_HEADERS
   # templates, variants, surfaces
-  generator/template/read/read_template.h generator/piece/grow.h generator/surface/file/surface_file.h
+  generator/template/read/read_template.h generator/compose/grow.h generator/surface/file/surface_file.h
   # knives and pieces
   generator/knife/parse_knife.h generator/cut/cut.h generator/cut/section/section_file.h generator/piece/slice.h
   generator/piece/piece_facts.h

@@ -1,4 +1,4 @@
-# cmake -DSOURCE=. -DDESTINATION=/usr/local/include/pomona "-DHEADERS=generator/piece/grow.h;..." -P install_headers.cmake
+# cmake -DSOURCE=. -DDESTINATION=/usr/local/include/pomona "-DHEADERS=generator/compose/grow.h;..." -P install_headers.cmake
 # Installs the public headers and all of Pomona's own headers that these include.
 cmake_minimum_required(VERSION 3.25)
 set(open ${HEADERS})

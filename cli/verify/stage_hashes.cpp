@@ -8,10 +8,10 @@
 
 #include "generator/base/error.h"
 #include "generator/base/sha256.h"
+#include "generator/compose/grow.h"
 #include "generator/cut/section/cross_section.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/grow.h"
 #include "generator/piece/slice.h"
 #include "generator/scene/scene.h"
 #include "generator/surface/file/surface_file.h"

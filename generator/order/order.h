@@ -11,11 +11,11 @@
 
 #include "generator/base/parallel.h"
 #include "generator/base/random.h"
+#include "generator/compose/grow.h"
 #include "generator/diffusion/quality.h"
 #include "generator/knife/knife.h"
 #include "generator/order/export_choices.h"
 #include "generator/order/format.h"
-#include "generator/piece/grow.h"
 
 namespace pomona {
 

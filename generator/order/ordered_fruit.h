@@ -5,8 +5,8 @@
 #include <string>
 
 #include "generator/base/stage_clock.h"
+#include "generator/compose/grow.h"
 #include "generator/order/order.h"
-#include "generator/piece/grow.h"
 #include "generator/piece/piece_origin.h"
 #include "generator/piece/slice.h"
 #include "generator/variation/variation.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/piece/grow.h"
+#include "generator/compose/grow.h"
 #include "generator/piece/solid.h"
 
 namespace pomona {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/base/random.h"
-#include "generator/piece/grow.h"
+#include "generator/compose/grow.h"
 
 namespace pomona {
 

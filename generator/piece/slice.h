@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "generator/base/stage_clock.h"
+#include "generator/compose/grow.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/diffuser.h"
-#include "generator/piece/grow.h"
 #include "generator/piece/piece_origin.h"
 #include "generator/piece/solid.h"
 

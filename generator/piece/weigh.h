@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/piece/grow.h"
+#include "generator/compose/grow.h"
 #include "generator/piece/solid.h"
 
 namespace pomona {

@@ -7,7 +7,7 @@
 
 #include "generator/base/random.h"
 #include "generator/base/stage_clock.h"
-#include "generator/piece/grow.h"
+#include "generator/compose/grow.h"
 #include "generator/piece/piece_origin.h"
 #include "generator/scene/compose_options.h"
 #include "generator/scene/scene_file.h"

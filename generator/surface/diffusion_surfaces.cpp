@@ -49,6 +49,11 @@ DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces
   for (const std::int32_t s : second.surface) all.surface.push_back(s + first_surface);
   append(all.surface_names, second.surface_names);
   append(all.notes, second.notes);
+  if (!first.instance.empty() || !second.instance.empty()) {
+    all.instance.resize(first.triangle_count(), 0);
+    append(all.instance, second.instance);
+    all.instance.resize(all.triangle_count(), 0);
+  }
 
   const std::vector<std::int32_t> part = merge_names(all.part_names, second.part_names);
   for (const std::int32_t p : second.front_part) all.front_part.push_back(part[static_cast<std::size_t>(p)]);

@@ -32,6 +32,10 @@ struct DiffusionSurfaces {
   std::vector<std::int32_t> front_part;  ///< index into part_names
   std::vector<std::int32_t> back_part;
 
+  /// Per triangle the instance of a placed template that it belongs to, from 1 on; 0: the fruit itself. Empty where
+  /// nothing is placed.
+  std::vector<std::int32_t> instance;
+
   std::vector<std::string> surface_names;
   std::vector<std::string> part_names;
 
@@ -40,6 +44,8 @@ struct DiffusionSurfaces {
   std::size_t vertex_count() const { return position.size(); }
   std::size_t triangle_count() const { return triangle.size(); }
 
+  std::int32_t instance_of(std::size_t triangle_index) const { return instance.empty() ? 0 : instance[triangle_index]; }
+
   /// A triangle's side is hidden when all three of its vertices say so (docs/reference/formats.md).
   bool is_hidden(std::size_t triangle_index, SideOf side) const;
 
@@ -47,7 +53,8 @@ struct DiffusionSurfaces {
   bool is_boundary(std::size_t triangle_index) const;
 };
 
-/// Both, one after the other; names merged (equal part names become one part, surfaces stay apart).
+/// Both, one after the other; names merged (equal part names become one part, surfaces stay apart). Instances keep
+/// their numbers.
 DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces& second);
 
 /// Appends a vertex like this one; the number of the new one.

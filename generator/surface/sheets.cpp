@@ -141,6 +141,7 @@ class SheetMaker {
     for (int k = 0; k < 3; ++k) corners[k] = vertex(t[k], role);
     to_.triangle.push_back(corners);
     to_.surface.push_back(from_.surface[i]);
+    if (!from_.instance.empty()) to_.instance.push_back(from_.instance[i]);
     to_.front_part.push_back(shows_back(role) ? from_.back_part[i] : from_.front_part[i]);
     to_.back_part.push_back(shows_front(role) ? from_.front_part[i] : from_.back_part[i]);
   }

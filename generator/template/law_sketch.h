@@ -1,8 +1,9 @@
-// Laws by which organs sit on a surface: spirals, lattices, rows, whorls.
+// Laws by which organs sit: on a surface in spirals, lattices, rows, whorls; or in clusters around the axis.
 #pragma once
 
 #include <string>
 
+#include "generator/base/curve.h"
 #include "generator/template/ramp.h"
 
 namespace pomona {
@@ -15,6 +16,7 @@ struct LawSketch {
     parastichies,  ///< the same on the lattice whose two families of spirals number `pair`: seats grow with the girth
     rows,          ///< `count` rows from bottom to top
     whorls,        ///< rings of `count`, each `turn` further around
+    cluster,       ///< `spacing` apart in the room within `envelope`: berries of a bunch
   };
   std::string name;
   Kind kind = Kind::spiral;
@@ -28,6 +30,8 @@ struct LawSketch {
   double start = 0;         ///< azimuth of the first seat, radians
   double from = 0, to = 1;  ///< the stretch of the vertical curve, as shares
   double jitter = 0;        ///< random shift to every side, as a share of the spacing
+  Curve envelope;           ///< of clusters: a vertical curve around their seats
+  double hollow = 0;        ///< of clusters: no seat is nearer to the axis, metres
 };
 
 /// How far an angle is from the nearest whole turn, radians, -pi..pi.

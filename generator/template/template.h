@@ -16,6 +16,7 @@
 #include "generator/template/material_sketch.h"
 #include "generator/template/mesh_sketch.h"
 #include "generator/template/noise_style.h"
+#include "generator/template/place_sketch.h"
 #include "generator/template/proportions.h"
 #include "generator/template/ripeness_sketch.h"
 #include "generator/template/surface_sketch.h"
@@ -48,6 +49,7 @@ struct Template {
   std::vector<MeshSketch> meshes;  ///< after the drawn surfaces
   std::vector<LawSketch> laws;     ///< by which grains and spots may sit
   std::vector<GrainSketch> grains;
+  std::vector<PlaceSketch> places;
   AxisBend bend;                          ///< the axis, along which curves are drawn straight
   Proportions proportions;                ///< set in variants: how they differ from the drawing
   VariationSketch variation;              ///< variation besides the horizontal curves

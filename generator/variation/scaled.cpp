@@ -61,12 +61,33 @@ void scale(MeshSketch& mesh, double factor) {
   scale(paint.back, factor);
 }
 
+void scale(LawSketch& law, double factor) {
+  scale(law.spacing, factor);
+  scale(law.envelope, factor);
+  law.hollow *= factor;
+}
+
+/// What is placed stays as it is: instances are scaled when they are set (generator/compose).
+void scale(PlaceSketch& place, double factor) {
+  place.sink *= factor;
+  if (place.press) {
+    place.press->gap *= factor;
+    if (place.press->root) *place.press->root *= factor;
+  }
+  if (!place.stalk) return;
+  place.stalk->rise *= factor;
+  place.stalk->root_width *= factor;
+  place.stalk->top_width *= factor;
+  place.stalk->depth *= factor;
+}
+
 }  // namespace
 
 Template scaled(Template fruit, double factor) {
   for (SurfaceSketch& surface : fruit.surfaces) scale(surface, factor);
-  for (LawSketch& law : fruit.laws) scale(law.spacing, factor);
+  for (LawSketch& law : fruit.laws) scale(law, factor);
   for (GrainSketch& grain : fruit.grains) scale(grain, factor);
+  for (PlaceSketch& place : fruit.places) scale(place, factor);
   for (MeshSketch& mesh : fruit.meshes) scale(mesh, factor);
   return fruit;
 }

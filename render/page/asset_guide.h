@@ -2,7 +2,7 @@
 #pragma once
 
 #include "generator/base/parallel.h"
-#include "generator/piece/grow.h"
+#include "generator/compose/grow.h"
 #include "generator/template/template.h"
 #include "render/page/asset.h"
 

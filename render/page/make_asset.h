@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "generator/compose/grow.h"
 #include "generator/diffusion/diffuser.h"
-#include "generator/piece/grow.h"
 #include "generator/template/template.h"
 #include "render/page/asset.h"
 

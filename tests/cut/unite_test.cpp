@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "generator/compose/grow.h"
 #include "generator/cut/cut.h"
 #include "generator/cut/edge_balance.h"
 #include "generator/cut/unite/united_bodies.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/grow.h"
 #include "generator/template/read/read_template.h"
 #include "tests/cut/cut_checks.h"
 #include "tests/cut/ray_volumes.h"

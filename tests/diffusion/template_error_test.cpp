@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/color.h"
+#include "generator/compose/grow.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/grow.h"
 #include "generator/template/read/read_template.h"
 #include "tests/diffusion/fields.h"
 

@@ -20,10 +20,10 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/compose/grow.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/grow.h"
 #include "generator/piece/lod/vertex_fans.h"
 #include "generator/piece/piece_facts.h"
 #include "generator/piece/slice.h"

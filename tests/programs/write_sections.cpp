@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/compose/grow.h"
 #include "generator/diffusion/harmonic/harmonic_diffuser.h"
 #include "generator/mesh/enclosures.h"
-#include "generator/piece/grow.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/body_walls.h"
 #include "generator/template/read/read_template.h"

@@ -6,9 +6,9 @@
 #include <ostream>
 #include <string>
 
+#include "generator/compose/grow.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/grow.h"
 #include "generator/piece/slice.h"
 #include "generator/template/read/read_template.h"
 #include "render/style/style_file.h"

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "generator/compose/grow.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/grow.h"
 #include "generator/template/read/read_template.h"
 #include "render/diffusion/gl_diffuser.h"
 #include "tests/diffusion/fields.h"

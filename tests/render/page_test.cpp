@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "generator/base/error.h"
+#include "generator/compose/grow.h"
 #include "generator/mesh/enclosures.h"
-#include "generator/piece/grow.h"
 #include "generator/piece/slice.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/body_walls.h"

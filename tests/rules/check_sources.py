@@ -25,6 +25,7 @@ ROAD = [
     "generator/surface/sweep",
     "generator/surface/grains",
     "generator/variation",
+    "generator/compose",
     "generator/knife",
     "generator/cut/section",
     "generator/cut/plane",

@@ -330,7 +330,7 @@ class SurfaceUniter {
 
   UnitedBodies run(const Bodies& bodies) {
     to_ = from_;
-    to_.triangle.clear(), to_.surface.clear(), to_.front_part.clear(), to_.back_part.clear();
+    to_.triangle.clear(), to_.surface.clear(), to_.front_part.clear(), to_.back_part.clear(), to_.instance.clear();
     const std::size_t triangles = from_.triangle_count() + wall_.size();
     to_.triangle.reserve(triangles), to_.surface.reserve(triangles);
     to_.front_part.reserve(triangles), to_.back_part.reserve(triangles);
@@ -366,6 +366,7 @@ class SurfaceUniter {
     to_.surface.push_back(from_.surface[source]);
     to_.front_part.push_back(from_.front_part[source]);
     to_.back_part.push_back(from_.back_part[source]);
+    if (!from_.instance.empty()) to_.instance.push_back(from_.instance[source]);
     result_.bodies.of_triangle.push_back(body);
   }
 

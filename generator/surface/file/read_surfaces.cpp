@@ -355,7 +355,7 @@ class SurfaceReader {
 
   struct Face {
     std::vector<std::uint32_t> corners;
-    std::int32_t surface = 0, front_part = 0, back_part = 0;
+    std::int32_t surface = 0, front_part = 0, back_part = 0, instance = 0;
     std::uint32_t index = 0;  ///< index within the element
   };
   static constexpr std::uint32_t no_face = UINT32_MAX;
@@ -423,13 +423,14 @@ class SurfaceReader {
     if (property.name == "surface") return &face.surface;
     if (property.name == "front_part") return &face.front_part;
     if (property.name == "back_part") return &face.back_part;
+    if (property.name == "instance") return &face.instance;
     return nullptr;
   }
 
   std::int32_t read_index(PlyType type) {
     const double value = ply_.value(type);
     if (!(value >= 0 && value < max_names) || value != std::floor(value)) {
-      ply_.fail("surfaces and parts are numbered from 0 to 65535");
+      ply_.fail("surfaces, parts and instances are numbered from 0 to 65535");
     }
     return static_cast<std::int32_t>(value);
   }
@@ -462,6 +463,7 @@ class SurfaceReader {
       surfaces_.surface.push_back(face.surface);
       surfaces_.front_part.push_back(face.front_part);
       surfaces_.back_part.push_back(face.back_part);
+      surfaces_.instance.push_back(face.instance);
       face_of_.push_back(face.index);
       if (hides_both_sides(surfaces_.triangle_count() - 1)) ply_.fail(both_hidden, show_one);
     }
@@ -550,6 +552,9 @@ class SurfaceReader {
       read_name(comment, "surface ", surfaces_.surface_names);
       read_name(comment, "part ", surfaces_.part_names);
     }
+    const auto& instance = surfaces_.instance;
+    if (std::all_of(instance.begin(), instance.end(), [](std::int32_t i) { return i == 0; }))
+      surfaces_.instance.clear();
     complete(surfaces_.surface_names, surfaces_.surface, "surface ");
     complete(surfaces_.part_names, surfaces_.front_part, "part ");
     complete(surfaces_.part_names, surfaces_.back_part, "part ");

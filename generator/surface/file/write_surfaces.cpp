@@ -26,6 +26,7 @@ std::string header(const DiffusionSurfaces& surfaces) {
   text += "property uchar front_hidden\nproperty uchar back_hidden\n";
   text += "element face " + std::to_string(surfaces.triangle_count()) + "\nproperty list uchar int vertex_indices\n";
   for (const char* name : {"surface", "front_part", "back_part"}) text += std::string("property int ") + name + "\n";
+  if (!surfaces.instance.empty()) text += "property int instance\n";
   return text + "end_header\n";
 }
 
@@ -34,7 +35,7 @@ std::string header(const DiffusionSurfaces& surfaces) {
 std::string write_surfaces(const DiffusionSurfaces& surfaces) {
   // Make room for everything at once.
   ByteWriter out(header(surfaces));
-  constexpr std::size_t bytes_per_vertex = 45, bytes_per_face = 25, header_room = 65536;
+  constexpr std::size_t bytes_per_vertex = 45, bytes_per_face = 29, header_room = 65536;
   out.reserve(header_room + bytes_per_vertex * surfaces.vertex_count() + bytes_per_face * surfaces.triangle_count());
 
   // Vertices also have a plain colour, the front's, for viewers that do not know diffusion surfaces.
@@ -56,6 +57,7 @@ std::string write_surfaces(const DiffusionSurfaces& surfaces) {
     out.add(surfaces.surface[i]);
     out.add(surfaces.front_part[i]);
     out.add(surfaces.back_part[i]);
+    if (!surfaces.instance.empty()) out.add(surfaces.instance[i]);
   }
   return out.take();
 }

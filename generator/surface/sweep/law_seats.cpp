@@ -75,9 +75,11 @@ class SeatTally {
         return 1 / (radius * lattice_rise());
       case LawSketch::Kind::rows:
       case LawSketch::Kind::whorls:
+        return 1 / spacing;
+      case LawSketch::Kind::cluster:
         break;
     }
-    return 1 / spacing;
+    return 0;  // its seats lie on no surface
   }
 
   const LawSketch& law_;

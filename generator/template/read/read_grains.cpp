@@ -89,9 +89,7 @@ void refuse_beside_law(const TomlTable& table) {
 GrainSpacing read_spacing(const TomlTable& table, const Template& fruit, const SurfaceSketch* surface) {
   GrainSpacing spacing;
   if (table.has("law")) {
-    std::vector<std::string> laws;
-    for (const LawSketch& law : fruit.laws) laws.push_back(law.name);
-    spacing.law = read_law_name(table, laws, surface ? surface->type : SurfaceType::around_axis);
+    spacing.law = read_law_name(table, fruit.laws, surface ? surface->type : SurfaceType::around_axis);
     refuse_beside_law(table);
     spacing.clear_of = read_clear_of(table.get("clear_of"), fruit);
     return spacing;

@@ -1,5 +1,6 @@
 #include "generator/template/read/read_law.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "generator/base/units.h"
@@ -42,9 +43,28 @@ void read_band(const TomlValue& value, LawSketch& law) {
   if (!(law.to > law.from)) value.error("is empty", "write the lower end first");
 }
 
-LawSketch read_law(const TomlTable& table) {
+/// The room of a cluster, which may reach beyond the fruit's own surfaces.
+void read_envelope(const TomlTable& table, CurveReader& curves, LawSketch& law) {
+  const TomlValue value = table.need("envelope");
+  law.hollow = table.get("hollow").length(0, {0, 1});
+  const std::optional<DrawnCurve> drawn = curves.read(value, SketchView::side);
+  if (!drawn) return;
+  law.envelope = drawn->curve;
+  std::vector<glm::dvec2>& points = law.envelope.points;
+  if (law.envelope.closed) return value.error("is closed", "draw it open, from its lower end to its upper one");
+  for (const glm::dvec2& p : points) {
+    if (p.x < 0) return value.error("goes left of the axis", "draw its right half");
+  }
+  if (points.front().y > points.back().y) std::reverse(points.begin(), points.end());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].y < points[i - 1].y) return value.error("turns back down", "draw it ever upwards");
+  }
+}
+
+LawSketch read_law(const TomlTable& table, CurveReader& curves) {
   LawSketch law;
-  law.kind = static_cast<LawSketch::Kind>(table.need("kind").choice({"spiral", "parastichies", "rows", "whorls"}));
+  law.kind =
+      static_cast<LawSketch::Kind>(table.need("kind").choice({"spiral", "parastichies", "rows", "whorls", "cluster"}));
   const bool spirals = law.kind == LawSketch::Kind::spiral || law.kind == LawSketch::Kind::parastichies;
   if (spirals) law.divergence = table.get("divergence").angle(law.divergence, {1, 359});
   if (law.kind == LawSketch::Kind::parastichies) {
@@ -63,6 +83,11 @@ LawSketch read_law(const TomlTable& table) {
     law.count = table.need("count").integer(1, 1, 512);
     law.turn = table.get("turn").angle(pi / law.count, {-360, 360});
   }
+  if (law.kind == LawSketch::Kind::cluster) {
+    read_envelope(table, curves, law);
+    law.jitter = table.get("jitter").number(0.3, {0, 1});
+    return law;
+  }
   law.start = table.get("start").angle(0, {-360, 360});
   read_band(table.get("band"), law);
   law.jitter = table.get("jitter").number(0, {0, 1});
@@ -71,7 +96,7 @@ LawSketch read_law(const TomlTable& table) {
 
 }  // namespace
 
-std::vector<LawSketch> read_laws(const TomlTable& table) {
+std::vector<LawSketch> read_laws(const TomlTable& table, CurveReader& curves) {
   std::vector<LawSketch> laws;
   for (const std::string& name : table.keys()) {
     const TomlValue value = table.get(name);
@@ -79,13 +104,24 @@ std::vector<LawSketch> read_laws(const TomlTable& table) {
       value.error("is one of more than " + std::to_string(max_laws) + " laws");
       break;
     }
-    laws.push_back(read_law(value.table().called("law \"" + name + "\"")));
+    laws.push_back(read_law(value.table().called("law \"" + name + "\""), curves));
     laws.back().name = name;
   }
   return laws;
 }
 
-std::optional<int> read_law_name(const TomlTable& table, const std::vector<std::string>& laws, SurfaceType type) {
+std::optional<int> read_law_name(const TomlValue& value, const std::vector<LawSketch>& laws) {
+  if (laws.empty()) {
+    if (value.given())
+      value.error("is given, but the template has no laws", "write a table [law." + value.text("NAME") + "]");
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const LawSketch& law : laws) names.push_back(law.name);
+  return value.choice(names);
+}
+
+std::optional<int> read_law_name(const TomlTable& table, const std::vector<LawSketch>& laws, SurfaceType type) {
   const TomlValue value = table.get("law");
   if (table.has("spacing")) {
     table.get("spacing").error("is given beside a law, which says where they sit", "leave one of the two out");
@@ -94,11 +130,12 @@ std::optional<int> read_law_name(const TomlTable& table, const std::vector<std::
     value.error("is for surfaces around the axis", "strew them with \"spacing\"");
     return {};
   }
-  if (laws.empty()) {
-    value.error("is given, but the template has no laws", "write a table [law." + value.text("NAME") + "]");
+  const std::optional<int> law = read_law_name(value, laws);
+  if (law && laws[static_cast<std::size_t>(*law)].kind == LawSketch::Kind::cluster) {
+    value.error("is a cluster, whose seats lie on no surface", "use it for a [[place]]");
     return {};
   }
-  return value.choice(laws);
+  return law;
 }
 
 }  // namespace pomona

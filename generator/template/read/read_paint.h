@@ -45,8 +45,8 @@ PaintedColor read_painted_color(const TomlValue& value);
 /// What paint of a surface is checked against.
 struct PaintedSurface {
   SurfaceType type = SurfaceType::around_axis;
-  int folds = 0;                       ///< 0: the fruit is cylindrical
-  std::vector<std::string> laws = {};  ///< names
+  int folds = 0;  ///< 0: the fruit is cylindrical
+  std::vector<LawSketch> laws = {};
 };
 
 /// Reads the side of a surface, which besides has the colour's `turn` and `folds`, `coats` and `spots`.

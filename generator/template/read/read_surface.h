@@ -15,7 +15,7 @@ namespace pomona {
 class SketchSurfaceReader {
  public:
   SketchSurfaceReader(CurveReader curves, std::vector<std::string> parts, Symmetry symmetry,
-                      std::vector<std::string> laws)
+                      std::vector<LawSketch> laws)
       : curves_(curves), parts_(std::move(parts)), symmetry_(std::move(symmetry)), laws_(std::move(laws)) {}
 
   /// Notes faults in the table's document. Vertical curves keep the height at which they were drawn.
@@ -33,7 +33,7 @@ class SketchSurfaceReader {
   CurveReader curves_;
   std::vector<std::string> parts_;
   Symmetry symmetry_;
-  std::vector<std::string> laws_;
+  std::vector<LawSketch> laws_;
 };
 
 }  // namespace pomona

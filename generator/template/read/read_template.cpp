@@ -11,6 +11,7 @@
 #include "generator/template/read/read_law.h"
 #include "generator/template/read/read_material.h"
 #include "generator/template/read/read_mesh.h"
+#include "generator/template/read/read_place.h"
 #include "generator/template/read/read_ripeness.h"
 #include "generator/template/read/read_spared.h"
 #include "generator/template/read/read_style.h"
@@ -154,17 +155,20 @@ void check_symmetry(const TomlTable& root, const Template& fruit) {
 
 /// Moves all vertical curves up or down so that the lowest drawn point is at y = 0.
 /// \return where that was
-double set_on_ground(std::vector<SurfaceSketch>& surfaces) {
+double set_on_ground(Template& fruit) {
   bool found = false;
   double lowest = 0;
-  for (const SurfaceSketch& surface : surfaces) {
+  for (const SurfaceSketch& surface : fruit.surfaces) {
     for (const glm::dvec2& p : surface.vertical.points) {
       lowest = found ? std::min(lowest, p.y) : p.y;
       found = true;
     }
   }
-  for (SurfaceSketch& surface : surfaces) {
+  for (SurfaceSketch& surface : fruit.surfaces) {
     for (glm::dvec2& p : surface.vertical.points) p.y -= lowest;
+  }
+  for (LawSketch& law : fruit.laws) {
+    for (glm::dvec2& p : law.envelope.points) p.y -= lowest;
   }
   return lowest;
 }
@@ -186,12 +190,6 @@ void read_head(const TomlTable& root, Template& fruit) {
   if (root.has("densities")) fruit.densities = read_densities(root.get("densities").table(), fruit);
 }
 
-std::vector<std::string> names_of(const std::vector<LawSketch>& laws) {
-  std::vector<std::string> names;
-  for (const LawSketch& law : laws) names.push_back(law.name);
-  return names;
-}
-
 /// How the drawing lies; its lowest point was `lowest` metres high.
 void place_views(const std::optional<Sketch>& sketch, double unit, double lowest, DrawnTemplate& drawn) {
   const SvgTransform upright{unit, 0, 0, -unit, 0, 0}, lowered = translation({0, -lowest});
@@ -200,10 +198,9 @@ void place_views(const std::optional<Sketch>& sketch, double unit, double lowest
   if (drawn.side) drawn.side = lowered * *drawn.side;
 }
 
-}  // namespace
-
-DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& file,
-                                   std::optional<std::string_view> svg) {
+/// Reads a template that others may place.
+DrawnTemplate parse_within(std::string_view toml, const std::string& file, std::optional<std::string_view> svg,
+                           const PlacedWithin& within) {
   TomlDocument document(toml, file);
   const TomlTable root = document.root();
   DrawnTemplate drawn;
@@ -219,9 +216,9 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
       read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt, svg);
   fruit.symmetry = read_symmetry(root.need("symmetry").table(), sketch ? &*sketch : nullptr);
   CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
-  if (root.has("law")) fruit.laws = read_laws(root.get("law").table());
-  fruit.surfaces = read_surfaces(root, SketchSurfaceReader(curves, fruit.parts, fruit.symmetry, names_of(fruit.laws)));
-  place_views(sketch, unit, set_on_ground(fruit.surfaces), drawn);
+  if (root.has("law")) fruit.laws = read_laws(root.get("law").table(), curves);
+  fruit.surfaces = read_surfaces(root, SketchSurfaceReader(curves, fruit.parts, fruit.symmetry, fruit.laws));
+  place_views(sketch, unit, set_on_ground(fruit), drawn);
   fruit.meshes = read_meshes(root, fruit);
   check_symmetry(root, fruit);
 
@@ -243,8 +240,25 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
   if (root.has("ripeness")) fruit.ripeness = read_ripeness(root.get("ripeness").table(), fruit);
   if (root.has("browning")) fruit.browning = read_browning(root.get("browning").table(), fruit);
   if (root.has("variation")) fruit.variation.color = read_color_variation(root.get("variation").table(), fruit);
+  read_places(root, within, fruit);
   document.throw_if_any();
   return drawn;
+}
+
+constexpr int max_placed = 64;  // templates within one, at all levels
+
+}  // namespace
+
+DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& file,
+                                   std::optional<std::string_view> svg) {
+  int left = max_placed;
+  return parse_within(toml, file, svg, {{file}, &left});
+}
+
+Template read_placed_template(const std::filesystem::path& file, const PlacedWithin& within) {
+  PlacedWithin deeper = within;
+  deeper.around.push_back(file);
+  return parse_within(read_toml_text(file), file.string(), {}, deeper).fruit;
 }
 
 Template parse_template(std::string_view toml, const std::string& file) {

@@ -12,10 +12,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/compose/grow.h"
 #include "generator/cut/unite/united_bodies.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/grow.h"
 #include "generator/scene/scene.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/shell_geometry.h"

@@ -1,5 +1,5 @@
 // Variants: what differs between them besides curves.
-#include "generator/piece/grow.h"
+#include "generator/compose/grow.h"
 
 #include <filesystem>
 #include <set>

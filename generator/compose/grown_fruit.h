@@ -1,4 +1,4 @@
-// Grows a fruit: from a template and a seed to everything that the diffuser sees. This is the first half of the road.
+// A grown fruit, and the options of its growth.
 #pragma once
 
 #include <memory>
@@ -6,12 +6,9 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/base/random.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/surface/skin_depth.h"
 #include "generator/surface/sweep/spot.h"
-#include "generator/template/template.h"
-#include "generator/variation/variation.h"
 
 namespace pomona {
 
@@ -27,13 +24,6 @@ struct GrowOptions {
   Threads threads = {};                 ///< the result does not depend on them
 };
 
-/// The template's variant for `key`, with its own patterns of noise and detail. With as_drawn, it is the template
-/// itself, or the template with its folds repeated in turn, with the given ripeness.
-Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options = {});
-
-/// The same for a template that is prepared for many variants; never as drawn.
-Template variant_of(const Variation& variation, VariantKey key, const GrowOptions& options = {});
-
 /// A grown fruit at several stages.
 struct GrownFruit {
   DiffusionSurfaces swept;   ///< as drawn or varied: blur not split, no grains
@@ -45,8 +35,5 @@ struct GrownFruit {
 
   std::vector<Spot> raised = {};  ///< spots with relief (spots.h): only for shading, no vertex moves
 };
-
-/// Sweeps a variant, ripens its colours, splits its blur and scatters its grains.
-GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options = {});
 
 }  // namespace pomona

@@ -1,9 +1,12 @@
-#include "generator/piece/grow.h"
+#include "generator/compose/grow.h"
 
+#include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
 #include "generator/base/random.h"
+#include "generator/compose/placed_instances.h"
 #include "generator/surface/grains/grains.h"
 #include "generator/surface/sheets.h"
 #include "generator/surface/skin_depth.h"
@@ -49,7 +52,27 @@ Template variant_of(const Variation& variation, VariantKey key, const GrowOption
   return colored_individual(variation.draw(key, how).fruit, fruit, key, options);
 }
 
-GrownFruit grow(const Template& variant, VariantKey users_key, const GrowOptions& options) {
+namespace {
+
+GrownFruit grow_unsplit(const Template& variant, VariantKey users_key, const GrowOptions& options);
+
+/// One individual for each key.
+std::vector<GrownFruit> grow_placed(const Template& placed, std::span<const VariantKey> keys,
+                                    const GrowOptions& options) {
+  std::optional<Variation> variation;
+  if (!options.as_drawn) variation.emplace(placed);
+  GrowOptions own = options;
+  if (keys.size() > 1) own.threads = {1};
+  std::vector<GrownFruit> grown(keys.size());
+  parallel_for(keys.size(), options.threads, [&](std::size_t i) {
+    const Template variant = variation ? variant_of(*variation, keys[i], own) : variant_of(placed, keys[i], own);
+    grown[i] = grow_unsplit(variant, keys[i], own);
+  });
+  return grown;
+}
+
+/// All of it before blur is split.
+GrownFruit grow_unsplit(const Template& variant, VariantKey users_key, const GrowOptions& options) {
   const VariantKey key = species_key(users_key, variant.name);
   const SweepOptions sweep_options{.detail = options.detail, .key = key, .threads = options.threads};
   GrownFruit grown;
@@ -62,6 +85,13 @@ GrownFruit grow(const Template& variant, VariantKey users_key, const GrowOptions
     grown.swept = ripened(std::move(grown.swept), variant, *grown.skin, leads, options.threads);
     grown.grains = ripened(std::move(grown.grains), variant, *grown.skin, leads, options.threads);
   }
+  return with_placed(std::move(grown), variant, key, options, grow_placed);
+}
+
+}  // namespace
+
+GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options) {
+  GrownFruit grown = grow_unsplit(variant, key, options);
   grown.sheets = joined(sheets(grown.swept), sheets(grown.grains));
   return grown;
 }
