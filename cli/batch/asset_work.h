@@ -26,7 +26,7 @@ class ReadyTemplates {
   explicit ReadyTemplates(const std::vector<PlannedTemplate>& templates)
       : templates_(templates), once_(templates.size()), ready_(templates.size()) {}
 
-  /// By any thread; the others wait for the one that makes it.
+  /// The fruit, made ready. Any thread may ask; others wait for the one that makes it.
   const Ready& of(std::size_t fruit);
 
  private:

@@ -105,7 +105,7 @@ void Workplace::put_file_of(const std::string& item, const fs::path& made, const
   bring_to_disk(opened, meant);
 }
 
-/// From an item that failed or is not whole, its place is free first.
+/// Moves an item into its place, which is cleared of a failed or incomplete one first.
 void Workplace::put_in_place(const fs::path& made, const std::string& item) {
   const fs::path place = folder_ / item;
   sync_folder(made);

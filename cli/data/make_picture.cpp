@@ -57,7 +57,7 @@ Style lit(Style style, const DrawnPicture& drawn) {
   return style;
 }
 
-/// Of four places in each pixel, the share that show things.
+/// The share of four places in each pixel that show things.
 CoveredShares coverage_of(const Scene& scene, const DataDescription& data) {
   const TruthLayers fine = truth_layers(scene, truth_naming(scene), 2 * data.width, 2 * data.height, alone);
   CoveredShares covered;

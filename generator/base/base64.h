@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-/// In one line, with padding.
+/// Base64 in one line, with padding.
 std::string base64(std::string_view bytes);
 
 /// Ignores white space and padding. Nothing if the text has any other character that base 64 does not have.

@@ -16,7 +16,7 @@ struct Curve {
 
 double length(const Curve& curve);
 
-/// From a point to the nearest place between a and b, which may be one.
+/// The distance from a point to the segment from a to b, which may be equal.
 double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b);
 
 /// Enclosed area, positive for counter-clockwise closed curves.

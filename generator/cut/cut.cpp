@@ -55,7 +55,7 @@ struct PushedAside {
   }
 };
 
-/// Nothing if no knife is a corer, or the skin is open.
+/// What corers push aside; nothing if no knife is a corer, or the skin is open.
 std::optional<PushedAside> pushed_aside(const DiffusionSurfaces& surfaces, const Bodies& bodies,
                                         std::span<const Knife> knives) {
   const bool cores = std::any_of(knives.begin(), knives.end(), [](const Knife& knife) {
@@ -73,7 +73,7 @@ std::optional<PushedAside> pushed_aside(const DiffusionSurfaces& surfaces, const
   return PushedAside{std::move(depth), std::move(outer), std::move(body)};
 }
 
-/// Per outer body whether all of it lies in one cell, and no cut face goes through it.
+/// For each outer body, whether it lies in one cell and no cut face goes through it.
 std::vector<std::uint8_t> whole_ones(const CutFruit& fruit, const PushedAside& aside, const Bodies& bodies) {
   const std::vector<std::int32_t>& body_of = aside.body;
   std::vector<std::uint8_t> whole(body_of.size(), 1);
@@ -94,7 +94,7 @@ std::vector<std::uint8_t> whole_ones(const CutFruit& fruit, const PushedAside& a
   return whole;
 }
 
-/// Of what is sunk in the skin, or of all of it if nothing is.
+/// True if most of the body goes inside the knife: of its part within the skin, or of all of it if there is none.
 bool goes_inside(const TriangleTree& body, const TriangleTree& skin, const TriangleTree& knife) {
   double sunk = 0, sunk_inside = 0, all = 0, all_inside = 0;
   for (const TriangleTree::Corners& t : body.triangles()) {
@@ -173,7 +173,7 @@ std::vector<std::string> misses(std::span<const Knife> knives, const CutPlanes& 
   return warnings;
 }
 
-/// Points at one place to the bit become one.
+/// The fruit with points of equal position joined.
 CutFruit with_joined_points(CutFruit fruit) {
   SplitMesh& mesh = fruit.mesh;
   mesh.same_as = weld(mesh.point);
@@ -188,7 +188,7 @@ CutFruit with_joined_points(CutFruit fruit) {
   return fruit;
 }
 
-/// The stages, one after another: planes and strokes all at once, then closed knives by turns on what those have left.
+/// The stages: planes and strokes all at once, then closed knives one after another.
 class Cutter {
  public:
   Cutter(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options,
@@ -230,13 +230,13 @@ class Cutter {
 
  private:
   Cutting cut_by_planes() {
-    // Where surfaces pass through the planes (paper, Figure 3a).
+    // Split the surfaces where they pass through the planes (paper, Figure 3a).
     SplitMesh mesh = watched(observer_, "split", [&] { return split(surfaces_, planes_); });
     const auto segments =
         watched(observer_, "segments", [&] { return cut_segments(mesh, surfaces_, bodies_, planes_.count()); });
     if (observer_) observer_->sees(planes_, segments);
 
-    // The faces, triangulated, and what of them is section between which cells (Figure 3b).
+    // Triangulate the faces, and find which regions are section between which cells (Figure 3b).
     PlaneFaces made = watched(observer_, "triangulate", [&] {
       return triangulate(std::move(mesh), planes_, segments, surfaces_, bodies_, options_);
     });
@@ -247,7 +247,7 @@ class Cutter {
       return all;
     });
 
-    // The surfaces, meeting the faces vertex to vertex.
+    // Split the surfaces again, so that they meet the faces vertex to vertex.
     ClippedSurfaces clipped = watched(observer_, "clip", [&] {
       return clipped_surfaces(std::move(made.mesh), made.edge_point, surfaces_,
                               {.inner_too = has_closed_knives() || !options_.spared_parts.empty()});
@@ -276,7 +276,7 @@ class Cutter {
       for (std::size_t later = number + 1; later < knives_.size(); ++later) {
         knife.stride *= static_cast<std::uint32_t>(planes_.knives[later].cell_count());
       }
-      // A corer pushes leaves aside.
+      // Hold back what a corer pushes aside.
       HeldBack held{std::move(fruit), {}};
       if (std::holds_alternative<CoreKnife>(closed) && aside_)
         held = held_back(std::move(held.fruit), surface, knife.stride, *aside_, bodies_);
@@ -288,7 +288,7 @@ class Cutter {
     });
   }
 
-  /// The faces join the section.
+  /// The fruit after a cut, its faces joined to the section.
   CutFruit joined(Cutting cutting) const {
     if (observer_) observer_->sees(planes_, cutting);
     return watched(observer_, "assemble", [&] { return with_faces(std::move(cutting), surfaces_, options_.threads); });

@@ -57,8 +57,8 @@ class Grouper {
     group_[std::max(a, b)] = std::min(a, b);
   }
 
-  /// To the smallest part that winds around one of its vertices. What closed knives leave may have none of skin, or
-  /// hang together with another body that stands out.
+  /// Joins a cavity to the smallest part that winds around one of its vertices. What closed knives leave may have no
+  /// vertex of skin, or be connected to another body that sticks out.
   void attach_cavity(std::uint32_t cavity) {
     const CutPiece& piece = parts_[cavity];
     for (const glm::vec3& p : piece.position) {
@@ -79,7 +79,7 @@ class Grouper {
     return home >= 0;
   }
 
-  /// With every group in whose solid one of its vertices lies: walls count against the part around them.
+  /// Joins a part to every group in whose solid one of its vertices lies. Walls of cavities count as holes.
   void join_overlapping(std::uint32_t part) {
     for (const glm::vec3& p : parts_[part].position) {
       std::vector<std::pair<std::uint32_t, int>> groups;

@@ -90,7 +90,7 @@ class PieceBuilder {
     std::uint32_t cell = 0;
   };
 
-  /// Where bodies in different cells touch: a stem that a corer pushes aside, and the flesh that it stood on.
+  /// Finds points where bodies in different cells touch: a stem that a corer pushes aside, and the flesh below it.
   void find_shared_points() {
     std::vector<std::uint32_t> cell(mesh_.point.size(), unset);
     for (const SparedWall& wall : skin_) {
@@ -106,8 +106,8 @@ class PieceBuilder {
 
   bool is_uncut(std::size_t cap) const { return cap < uncut_.size() && uncut_[cap] != 0; }
 
-  /// A point on planes, on the wall of a spared part or where cells touch is one node per cell; any other lies in one
-  /// cell alone.
+  /// The node of a point in a cell. A point on planes, on the wall of a spared part or where cells touch has one node
+  /// in each cell; any other lies in one cell.
   std::uint32_t node(std::uint32_t cell, std::uint32_t point) {
     if (mesh_.planes_of[point] == 0 && on_wall_[point] == 0) return point;
     const auto [number, is_new] = nodes_.try_emplace(point, cell, static_cast<std::uint32_t>(sets_.count()));
@@ -185,7 +185,7 @@ class PieceBuilder {
     }
   }
 
-  /// A face inside several bodies closes each of them.
+  /// Adds the cut faces. A face inside several bodies closes each of them.
   void fill_caps(std::vector<CutPiece>& pieces) {
     for (std::size_t c = 0; c < node_of_cap_.size(); ++c) {
       if (node_of_cap_[c] == unset) continue;
@@ -218,8 +218,7 @@ class PieceBuilder {
     return edges;
   }
 
-  /// Parts that belong together become one; the others of a group are left empty. Parts that are open may close each
-  /// other.
+  /// Joins the parts of each piece into one, and leaves the others empty. Open parts may close each other.
   std::vector<CutPiece> grouped(std::vector<CutPiece> parts) {
     std::vector<std::uint32_t> cell;
     for (const Component& component : component_) cell.push_back(component.cell);
@@ -229,7 +228,7 @@ class PieceBuilder {
     return parts;
   }
 
-  /// \param home of each part; a home is its own.
+  /// \param home index of the part that each part joins; its own if it joins none.
   void join(std::vector<CutPiece>& parts, const std::vector<std::uint32_t>& home) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (home[i] == i) continue;

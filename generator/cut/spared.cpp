@@ -53,7 +53,7 @@ struct ShellShare {
   double volume = 0;  // six times that, cubic metres
   EdgeBalance edges;
   void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    if (a == b || b == c || c == a) return;  // rounding has closed it to a line; its neighbours meet there
+    if (a == b || b == c || c == a) return;  // rounding has made it a line, where its neighbours meet
     volume += glm::dot(glm::dvec3(a), glm::cross(glm::dvec3(b), glm::dvec3(c)));
     edges.add(a, b, c);
   }
@@ -96,7 +96,7 @@ class Sparer {
     return surfaces_.part_names[static_cast<std::size_t>(surfaces_.back_part[source])];
   }
 
-  /// Those with triangles in several cells.
+  /// Finds the shells with triangles in several cells.
   void find_cut_shells() {
     std::map<std::uint32_t, std::uint32_t> cell_of;
     std::set<std::uint32_t> cut;
@@ -126,7 +126,7 @@ class Sparer {
     return all;
   }
 
-  /// Caps that are connected and that no shell separates.
+  /// Sets of connected caps that no shell separates.
   DisjointSets patches() const {
     const std::vector<Cap>& caps = fruit_.section.cap;
     const EdgeSet rim = rims();
@@ -145,7 +145,7 @@ class Sparer {
     return patch;
   }
 
-  /// Of each patch the largest triangle says in which shells it lies. In two is in none: these cross.
+  /// Finds the shell of each patch of caps, by its largest triangle. A patch in two shells, which cross, is in none.
   void find_caps() {
     std::vector<Enclosures::Triangle> triangles;
     for (std::size_t t = 0; t < shell_of_.size(); ++t) {
@@ -181,7 +181,7 @@ class Sparer {
     }
   }
 
-  /// Also finds out whether shell and caps close cell by cell; where they do not, nothing can be moved.
+  /// Finds the cell that gets the shell, and whether shell and caps close in each cell; else nothing is moved.
   void find_home(CutShell& shell) const {
     std::map<std::uint32_t, ShellShare> in_cell;
     for (const std::uint32_t t : shell.triangle) {
@@ -209,7 +209,7 @@ class Sparer {
     }
   }
 
-  /// Everywhere but at home: the part's outside for those at home, the socket for those who were there.
+  /// Adds the walls that are not at home: the part's outside for its piece, the socket for the others.
   void add_walls(const CutShell& shell, std::vector<SparedWall>& walls) {
     const std::map<std::uint32_t, glm::vec3> normal = normals_of(shell);
     std::map<std::uint32_t, std::uint32_t> outside, socket;  // the walls' vertices
@@ -238,7 +238,7 @@ class Sparer {
     return mesh.add_vertex(mesh.point_of[v], front, back, to_air);
   }
 
-  /// Per point of the shell, out of it: the mean of its triangles by area.
+  /// Normals at the shell's points, outwards: area-weighted means of its triangles.
   std::map<std::uint32_t, glm::vec3> normals_of(const CutShell& shell) const {
     std::map<std::uint32_t, glm::vec3> sum;
     for (const std::uint32_t t : shell.triangle) {

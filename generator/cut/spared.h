@@ -25,7 +25,7 @@ struct SparedFruit {
   std::vector<std::string> warnings;  ///< parts that cannot be spared
 };
 
-/// Of the largest share of a shell's volume: cells that hold as much count as equal.
+/// Cells that hold at least this share of the largest share of a shell's volume count as equal.
 constexpr double nearly_as_much = 0.95;
 
 /// Per triangle of the surfaces, the closed shell around one of these parts that it is of, numbered from 1 in the order

@@ -15,7 +15,7 @@ namespace {
 
 bool is_empty(const CutPiece& piece) { return piece.triangle.empty() && piece.caps.empty(); }
 
-/// The corners of skin and cut faces; some of them more than once.
+/// The corners of skin and cut faces, some more than once.
 std::vector<glm::vec3> corners(const CutPiece& piece, const CrossSection& section) {
   std::vector<glm::vec3> all = piece.position;
   for (const CutPiece::CapTriangle& cap : piece.caps) {
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> homes_of_bits(const std::vector<CutPiece>& pieces, co
   for (const CutPiece& piece : pieces) whole += piece.volume;
   if (!(whole > 0)) return home;
 
-  // Cell by cell, the largest piece first.
+  // Order pieces by cell, the largest first.
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < pieces.size(); ++i)
     if (!is_empty(pieces[i])) order.push_back(i);

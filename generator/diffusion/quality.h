@@ -13,7 +13,7 @@ namespace pomona {
 /// It determines only the error of the diffusion (docs/reference/diffusion.md has measurements).
 enum class Quality { draft, final, reference };
 
-/// In the order of Quality.
+/// The names, in the order of Quality.
 inline std::vector<std::string> quality_names() { return {"draft", "final", "reference"}; }
 
 inline std::string name_of(Quality quality) { return quality_names()[static_cast<std::size_t>(quality)]; }

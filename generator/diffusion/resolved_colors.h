@@ -33,7 +33,7 @@ SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const Surface
                                 std::span<const glm::vec3> points, std::span<const std::uint8_t> near_surface,
                                 Threads threads);
 
-/// Beside these, the nearest side of points that see nothing. One value per point.
+/// The same, and the nearest side of points that see nothing. One value per point.
 SidesOfPoints sides_where_known(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                 std::span<const glm::vec3> points, SidesOfPoints sides,
                                 std::span<const PmvcValue> values, Threads threads);

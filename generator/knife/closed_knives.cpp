@@ -166,7 +166,7 @@ SolidPose pose_at(const std::optional<glm::dvec3>& at, const std::optional<glm::
   return pose;
 }
 
-/// From the lowest to the highest vertex along the pose's axis, metres from its origin; 0 to 0 for no vertices.
+/// The heights of the lowest and highest vertex along the pose's axis, metres from its origin; 0 and 0 for no vertices.
 std::pair<double, double> heights_along(const SolidPose& pose, const DiffusionSurfaces& surfaces) {
   double low = INFINITY, high = -INFINITY;
   for (const glm::uvec3& t : surfaces.triangle) {

@@ -109,7 +109,7 @@ class PlaneLayer {
     double whole = 0, thickness = 0;
   };
 
-  /// By count: equal slices. By thickness: as many whole slices as fit.
+  /// Slices by count are equal; of slices by thickness as many whole ones as fit.
   Slicing slicing(const SliceSize& size, double height) const {
     if (const auto* by_count = std::get_if<SliceCount>(&size)) return {1.0 * by_count->count, height / by_count->count};
 

@@ -54,7 +54,7 @@ class EdgeMap : private std::unordered_map<EdgeKey, T, EdgeKey::Hash> {
     return found == Table::end() ? nullptr : &found->second;
   }
 
-  /// By their lower vertices, then by their higher ones.
+  /// All edges, by their lower vertices, then by their higher ones.
   std::vector<EdgeKey> edges() const {
     std::vector<EdgeKey> all;
     for (const auto& entry : static_cast<const Table&>(*this)) all.push_back(entry.first);

@@ -23,7 +23,7 @@ std::vector<HalfEdge> by_low_end(const std::vector<HalfEdge>& edges) {
   return sorted;
 }
 
-/// Those of one low end: mostly a handful.
+/// Sorts the edges of one low end, which are few in most cases.
 void sort_by_high_end(std::span<HalfEdge> edges) {
   constexpr std::size_t handful = 16;
   const auto is_before = [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; };

@@ -10,8 +10,8 @@ namespace {
 
 using Tetrahedron = LevelSurface::Tetrahedron;
 
-/// Of an edge, between its ends and what splits it: a level is moved by less than this part of a cell, so that no part
-/// becomes so thin that rounding could turn it over.
+/// Smallest share of an edge between an end and the point that splits it: a level moves by less than this part of a
+/// cell, so that no part becomes so thin that rounding could turn it over.
 constexpr double min_share = 0.03;
 
 std::array<glm::uvec3, 4> outward_faces(const Tetrahedron& t) {

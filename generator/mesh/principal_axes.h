@@ -13,7 +13,7 @@ struct PrincipalAxes {
   glm::dquat rotation{1, 0, 0, 0};  ///< from the axes to the frame of the tensor
 };
 
-/// By Jacobi's rotations, which need no more than square roots: the same on every machine. A diagonal tensor keeps its
+/// The axes by Jacobi's rotations, which need only square roots: the same on every machine. A diagonal tensor keeps its
 /// axes.
 PrincipalAxes principal_axes(const glm::dmat3& tensor);
 

@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// In the order in which messages list them.
+/// Formats, in the order in which messages list them.
 enum class Format { ply, glb, usda, obj, stl, pov, png, svg, json, html, pomona, xml, urdf };
 
 /// The endings without their dots, in the order of Format.

@@ -199,7 +199,7 @@ void hand_on(std::span<Made> made, const ComposeOptions& options) {
     for (Solid& solid : one.solids) solid = bare(std::move(*next++));
 }
 
-/// As many variants at a time as fit into memory.
+/// Makes as many variants at a time as fit into memory.
 std::vector<Made> all_made(std::span<const Task> tasks, const Ingredients& from, const Diffuser* diffuser,
                            const ComposeOptions& options) {
   Teller teller(options, "pieces", tasks.size(), 2);

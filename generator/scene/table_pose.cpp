@@ -137,7 +137,7 @@ class Chooser {
     return best;
   }
 
-  /// As it grew, without lying down; nothing for pieces with flat cuts.
+  /// The pose as it grew, standing; nothing for pieces with flat cuts.
   PoseChoice choose_standing() const {
     PoseChoice best;
     const auto is_wide = [&](const CutSide& side) { return side.flat && side.area > 0.15 * areas_.cut(); };

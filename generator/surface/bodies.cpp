@@ -27,7 +27,7 @@ class BodyFinder {
   }
 
  private:
-  /// For each shell the outer shell it belongs to: itself, or for a cavity wall the smallest around it.
+  /// For each shell its outer shell: itself, or for a cavity wall the smallest shell around it.
   std::vector<std::size_t> outer_shells() {
     std::vector<std::size_t> outer(shell_.size()), solids, walls;
     for (std::size_t s = 0; s < shell_.size(); ++s) {
@@ -85,7 +85,7 @@ class BodyFinder {
                                  "inwards. Hide its other side, or turn it (a [[mesh]] by flip)");
   }
 
-  /// Of each such shell the surface of its first triangle, in the order of shells, each once.
+  /// The surfaces of the first triangles of these shells, in the order of shells, each once.
   std::vector<std::int32_t> surfaces_of_lone_walls() const {
     std::vector<std::int32_t> lone;
     std::vector<std::uint8_t> seen(shell_.size(), 0);

@@ -65,13 +65,13 @@ struct Template {
   std::vector<int> spared;        ///< parts that knives leave whole in one piece; ascending
 };
 
-/// From the lowest to the highest point of all vertical curves, metres; 0 to 0 where there are none.
+/// The heights of the lowest and highest point of all vertical curves, metres; 0 and 0 without any.
 struct HeightRange {
   double low = 0, high = 0;
 };
 HeightRange drawn_heights(const Template& fruit);
 
-/// Of any fruit, drawn or asked for.
+/// Largest number of folds, drawn or asked for.
 constexpr int max_folds = 64;
 
 /// Folds, or 1 where there are none.

@@ -70,7 +70,7 @@ std::vector<double> mixture_of_turns(std::size_t n, const RandomStream& stream) 
   return turns;
 }
 
-/// For every value the child on the same side of its parent.
+/// For every value, the child on the same side of its parent.
 std::vector<std::size_t> natural_children(const std::vector<std::size_t>& parents) {
   std::vector<std::size_t> map(2 * parents.size());
   for (std::size_t i = 0; i < map.size(); ++i) map[i] = 2 * parents[i / 2] + i % 2;

@@ -100,7 +100,7 @@ FoldSymmetry symmetry_of(double first, const std::vector<double>& widths) {
   return symmetry;
 }
 
-/// From the pie-shaped space back to the fruit.
+/// Maps from the pie-shaped space back to the fruit.
 PolarCurve placed(PolarCurve sample, double from, double width) {
   for (double& azimuth : sample.azimuth) azimuth = from + azimuth * width;
   return sample;

@@ -17,7 +17,7 @@ inline py::capsule kept(ViewOwner owner) {
   return py::capsule(new ViewOwner(std::move(owner)), [](void* held) { delete static_cast<ViewOwner*>(held); });
 }
 
-/// Of this shape, row by row.
+/// A view of this shape, row by row.
 template <typename Number>
 py::array view_of(const Number* numbers, std::vector<py::ssize_t> shape, const ViewOwner& owner) {
   py::array_t<Number> array(std::move(shape), numbers, kept(owner));

@@ -23,7 +23,7 @@ class Deliverable {
   /// The first step of the road that is still to come.
   virtual OrderStep next_step() const { return OrderStep::write; }
 
-  /// Of pictures where the order says none.
+  /// The size of pictures where the order says none.
   virtual PictureSize usual_size() const { return DeliverOptions().usual_size; }
 
   /// Whether cut faces can be coloured for textures: they keep what coloured them only where that was ordered.

@@ -60,7 +60,7 @@ py::dict solid_arrays(const Set& set, std::size_t number) {
   return all;
 }
 
-/// Of a symmetric matrix, which lists of pieces write column by column.
+/// The array of a symmetric matrix, which lists of pieces write column by column.
 py::array_t<double> matrix_of(const glm::dmat3& m) {
   py::array_t<double> array({3, 3});
   for (int row = 0; row < 3; ++row)

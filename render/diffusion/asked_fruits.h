@@ -1,4 +1,4 @@
-// The fruits of some diffusion tasks, and what is asked of each.
+// The fruits of some diffusion tasks, with the points of each.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace pomona {
 
-/// A fruit, and all points at which it is asked.
+/// A fruit, and all points at which its colours are wanted.
 struct AskedFruit {
   const DiffusionSurfaces* surfaces = nullptr;
   std::vector<std::size_t> tasks;
 
-  // What make_ready() gives.
+  // The result of make_ready().
   std::shared_ptr<const PreparedFruit> fruit;
   SightTask sight;
   struct Place {
@@ -32,8 +32,8 @@ struct AskedFruit {
 /// Each fruit once, however many sections it has. Those with many triangles come first, because they take longest.
 std::vector<AskedFruit> asked_fruits(std::span<const DiffusionTask> tasks);
 
-/// Finds the fruit or makes it new, and puts its points into order. The tree of a fruit that was kept is made again if
-/// the card turns out to have forgotten it.
+/// Finds the fruit or makes it, and orders its points. The tree of a kept fruit is made again if the card no longer has
+/// it.
 void make_ready(AskedFruit& asked, std::span<const DiffusionTask> tasks, KeptFruits& kept);
 
 /// What the points of a task see, in their order.

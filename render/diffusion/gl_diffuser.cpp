@@ -12,7 +12,7 @@ namespace pomona {
 
 namespace {
 
-/// Measured in docs/reports/diffusion.md.
+/// The lines of each quality, measured in docs/reports/diffusion.md.
 LineSampling sampling_of(Quality quality) {
   switch (quality) {
     case Quality::draft:
@@ -48,7 +48,7 @@ class GlEngine {
 
   std::string renderer() const { return thread_.context().renderer(); }
 
-  /// Makes a fruit ready, to be found by later calls.
+  /// Makes a fruit ready for later calls.
   void prepare(const DiffusionSurfaces& surfaces) { kept_.of(surfaces); }
 
   std::vector<DiffusedColors> diffuse(std::span<const DiffusionTask> tasks) {
@@ -66,7 +66,7 @@ class GlEngine {
   }
 
  private:
-  /// While fruits are made ready, those that are go to the card, and it looks.
+  /// Makes fruits ready; the card works on those that are ready.
   std::vector<AskedFruit> looked_at(std::span<const DiffusionTask> tasks) {
     std::vector<AskedFruit> fruits = asked_fruits(tasks);
     ReadyQueue<AskedFruit*> ready;
@@ -86,7 +86,7 @@ class GlEngine {
     return fruits;
   }
 
-  /// Looks at all that becomes ready.
+  /// Casts rays for all fruits as they become ready.
   void look(const CurrentGl& gl, ReadyQueue<AskedFruit*>& ready) {
     GlPmvc pmvc(gl, *caster_, *on_card_, sampling_of(options_.quality));
     std::vector<AskedFruit*> started;

@@ -20,7 +20,7 @@ struct GlDiffuserOptions {
 /// \throws Error (helper_missing) if there is no OpenGL 4.5.
 std::unique_ptr<Diffuser> make_gl_diffuser(const GlDiffuserOptions& options = {});
 
-/// Likewise if there is a graphics card with OpenGL 4.5; null if not, within milliseconds where there is none.
+/// The same if there is a graphics card with OpenGL 4.5; null if not, within milliseconds where there is none.
 std::unique_ptr<Diffuser> make_diffuser_on_graphics_card(const GlDiffuserOptions& options = {});
 
 }  // namespace pomona

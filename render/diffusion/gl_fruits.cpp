@@ -62,7 +62,7 @@ std::array<const GlBuffer*, 4> GlFruits::buffers() const {
 
 void GlFruits::Growing::append(const CurrentGl& gl, std::span<const std::byte> bytes, std::size_t max_bytes) {
   if (!buffer || used + bytes.size() > size) {
-    // Much larger, so that what is here is seldom copied: a card takes a millisecond for a new buffer.
+    // Grow a lot, so that data are seldom copied: a card takes a millisecond for a new buffer.
     size = std::min(std::max({2 * size, first_size, used + bytes.size()}), max_bytes);
     GlBuffer larger(gl, GL_SHADER_STORAGE_BUFFER, nullptr, size);
     if (buffer && used > 0) larger.copy(*buffer, used);

@@ -23,14 +23,14 @@ class GlFruits {
   /// \param max_bytes  of each buffer
   explicit GlFruits(std::size_t max_bytes) : max_bytes_(max_bytes) {}
 
-  /// Where the fruit of this number is; nothing if it is not here.
+  /// The place of the fruit with this number; nothing if it is not here.
   std::optional<FruitPlace> place(std::uint64_t number) const;
 
-  /// Puts a fruit behind those that are here; nothing if they leave no room for it.
+  /// Adds a fruit behind the others; nothing if there is no room for it.
   /// \throws Error (helper_missing) if it needs more than there can be.
   std::optional<FruitPlace> add(const CurrentGl& gl, std::uint64_t number, const RaySurfaces& fruit);
 
-  /// Forgets all fruits. What is being looked at remains until it has been seen.
+  /// Forgets all fruits. Rays that were started still see theirs.
   void clear();
 
   /// Nodes, triangles, sides, colours, in this order.

@@ -30,7 +30,7 @@ void GlPmvc::start(std::span<const SightTask* const> tasks) {
     if (is_new) {
       const std::shared_ptr<const RaySurfaces> surfaces = task->surfaces();
       if (!fruits_.add(gl_, task->fruit, *surfaces)) {
-        // Let the card finish with what it has, to make room.
+        // Make room: let the card finish its work.
         cast(first);
         settle();
         first = tasks_.size();
@@ -64,7 +64,7 @@ std::vector<PointGroup> GlPmvc::groups_of(const SightTask& task, std::span<const
   return groups;
 }
 
-/// Looks from all points of the tasks from `first` on.
+/// Casts rays from all points of the tasks from `first` on.
 void GlPmvc::cast(std::size_t first) {
   std::vector<PointGroup> groups;
   for (std::size_t t = first; t < tasks_.size(); ++t) {
@@ -75,7 +75,7 @@ void GlPmvc::cast(std::size_t first) {
   under_way_.push_back({first, tasks_.size() - first, caster_.cast(gl_, fruits_, groups, lines_)});
 }
 
-/// Waits for what is under way; then looks once more, along more lines, where colours scatter.
+/// Waits for running work; then casts more lines where colours scatter.
 void GlPmvc::settle() {
   std::vector<Rough> rough;
   for (const UnderWay& started : under_way_) {
@@ -100,7 +100,7 @@ void GlPmvc::settle() {
   }
 }
 
-/// Puts into `sights_` what was seen; gives the points where colours scatter.
+/// Stores the sights in `sights_`; returns the points where colours scatter.
 std::vector<GlPmvc::Rough> GlPmvc::read(const UnderWay& started) {
   const std::vector<Sight> seen = GlRayCaster::read(gl_, started.rays);
   std::vector<Rough> rough;

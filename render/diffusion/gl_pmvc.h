@@ -24,7 +24,7 @@ struct SightTask {
   std::uint64_t fruit = 0;  ///< a number that no other fruit has
   const RayFrame* frame = nullptr;
   std::function<std::shared_ptr<const RaySurfaces>()> surfaces;  ///< called if the card does not have them
-  std::vector<glm::vec3> eye;  ///< normalised; neighbours had better follow each other
+  std::vector<glm::vec3> eye;                                    ///< normalised; near points should follow each other
 };
 
 struct PointSight {
@@ -35,20 +35,20 @@ struct PointSight {
 /// Tasks that the card works on while the next ones are made ready.
 class GlPmvc {
  public:
-  /// All that this is given must outlive it.
-  /// \param fruits  those that the card has, to which new ones are added
+  /// The arguments must outlive this object.
+  /// \param fruits on the card; new ones are added
   GlPmvc(const CurrentGl& gl, const GlRayCaster& caster, GlFruits& fruits, const LineSampling& sampling);
 
   /// Starts with some tasks, which must outlive this object.
   /// \throws Error (helper_missing) if a fruit is too large for this OpenGL, or memory does not suffice.
   void start(std::span<const SightTask* const> tasks);
 
-  /// An entry for every point of every task, in the order in which they were started. They do not depend on what else
-  /// is asked for.
+  /// An entry for every point of every task, in the order in which they were started. It does not depend on the other
+  /// tasks.
   std::vector<std::vector<PointSight>> finish();
 
  private:
-  /// Tasks that are looked at together.
+  /// Tasks whose rays are cast together.
   struct UnderWay {
     std::size_t first = 0;  ///< of the tasks
     std::size_t count = 0;

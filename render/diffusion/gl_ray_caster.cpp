@@ -80,7 +80,7 @@ class GlRayCaster::Pass {
 
   /// The buffer into which the card writes what it sees.
   GlBuffer start(const GlFruits& fruits, std::span<const PointGroup> groups) const {
-    // Lay the groups' sums and totals out one behind the other.
+    // Place the groups' sums and totals one behind the other.
     std::vector<GroupRecord> records;
     std::vector<glm::vec4> eyes;
     std::size_t totals = 0;
@@ -123,7 +123,7 @@ class GlRayCaster::Pass {
     for (const GlBuffer* buffer : buffers) gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer->id());
   }
 
-  /// A chunk, in dispatches short enough.
+  /// Casts a chunk, in dispatches that are short enough.
   void cast_rays(std::size_t first_block, std::size_t groups) const {
     caster_.rays_.use();
     caster_.rays_.set("first_line", static_cast<unsigned>(first_block * lines_per_block));
@@ -179,7 +179,7 @@ CastRays GlRayCaster::cast(const CurrentGl& gl, const GlFruits& fruits, std::spa
   const Pass pass(gl, *this, lines);
   const std::size_t max_sums = max_bytes_ / sizeof(float) / pass.blocks_in_chunk();
 
-  // As many groups at a time as their sums have room.
+  // Take as many groups at a time as there is room for their sums.
   for (std::size_t first = 0; first < groups.size();) {
     std::size_t end = first, sums = 0;
     while (end < groups.size() && end - first < max_groups && sums + sums_of(groups[end]) <= max_sums) {

@@ -28,7 +28,7 @@ struct Sight {
   bool near_surface = false;   ///< within 1e-5 of the surfaces' size, or a little farther
 };
 
-/// Lines to look along, on the card.
+/// Lines of rays, on the card.
 struct GlLines {
   std::size_t count = 0;
   GlBuffer axes;
@@ -52,7 +52,7 @@ class GlRayCaster {
 
   static GlLines lines(const CurrentGl& gl, int count);
 
-  /// Tells the card to look from the points of all groups, and does not wait. The result of a point depends only on
+  /// Starts rays from the points of all groups on the card, and does not wait. The result of a point depends only on
   /// the point, its fruit and the lines.
   /// \throws Error (helper_missing) if memory does not suffice.
   CastRays cast(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,

@@ -12,7 +12,7 @@
 
 namespace pomona {
 
-/// What stays of a fruit beside what the card holds.
+/// What is kept of a fruit beside its data on the card.
 struct PreparedFruit {
   std::uint64_t number = 0;  ///< no other fruit has it
   SurfaceTree tree;
@@ -25,8 +25,8 @@ struct KeptFruit {
   bool is_new = false;
 };
 
-/// The fruits of the last calls, up to a number of bytes. Surfaces are compared by value, bit by bit: who changes them
-/// gets a new fruit. May be used by many threads.
+/// The fruits of the last calls, up to a number of bytes. Surfaces are compared bit by bit, so changed surfaces are a
+/// new fruit. May be used by many threads.
 class KeptFruits {
  public:
   explicit KeptFruits(std::size_t max_bytes = std::size_t{256} << 20) : max_bytes_(max_bytes) {}

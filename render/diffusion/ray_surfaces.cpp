@@ -51,7 +51,7 @@ RaySurfaces ray_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& t
   RaySurfaces result;
   result.node = std::move(rays.node);
 
-  // Everything else in the order of the leaves.
+  // Put everything else into the order of the leaves.
   const UsedParts parts = used_parts(surfaces);
   result.triangle.reserve(rays.order.size());
   result.side.reserve(rays.order.size());

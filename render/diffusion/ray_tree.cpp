@@ -10,10 +10,10 @@ namespace pomona {
 
 namespace {
 
-/// Boxes are this much larger than what they hold, normalised: more than what rounding does to a crossing.
+/// Boxes are this much larger than their content, normalised: more than a crossing's error of rounding.
 constexpr float slack = 0x1p-19f;
 
-/// A box of four lanes, the last of which is not used: a compiler makes one instruction of each.
+/// A box of four lanes, the last unused: one instruction for all.
 struct alignas(16) WideBox {
   std::array<float, 4> low, high;
 
@@ -83,7 +83,7 @@ struct Split {
   WideBox one, other;
 };
 
-/// Equal slices of a box, and what of the patches has its middle in each.
+/// Equal slices of a box, and the patches whose middle lies in each.
 class Bins {
  public:
   Bins(const WideBox& box, std::size_t axis, std::span<const Patch> part)
@@ -98,10 +98,10 @@ class Bins {
 
   int bin_of(const Patch& p) const { return static_cast<int>((p.doubled_middle(axis_) - low_) * per_length_); }
 
-  /// The border before which a bin goes into the first part, and that part: where rays have least work to do, by
-  /// surface areas times patches. A count of 0 if all are in one bin.
+  /// The border between the two parts, and the split there: where rays have least work, by surface areas times patches.
+  /// A count of 0 if all patches are in one bin.
   std::pair<int, Split> best() const {
-    // From the last bin backwards: what lies behind each border.
+    // From the last bin backwards, find what lies behind each border.
     std::array<WideBox, bins> after;
     std::array<std::size_t, bins> count_after{};
     after[bins - 1] = box_[bins - 1];
@@ -112,7 +112,7 @@ class Bins {
       count_after[border] = count_after[border + 1] + count_[border];
     }
 
-    // From the first bin onwards: the border at which the work is least.
+    // From the first bin onwards, find the border with the least work.
     std::pair<int, Split> best;
     float min = std::numeric_limits<float>::max();
     WideBox before = WideBox::empty();
@@ -152,7 +152,7 @@ class RayTreeBuilder {
     const int root = child(0, patch_.size(), all, 0);
     if (root == 0) return;
 
-    // So few patches that they are one leaf: a root above it, with nothing beside it.
+    // Few patches are one leaf: give it a root, with nothing beside it.
     tree_.node.emplace_back();
     set(0, root, all, ~0, WideBox::empty());
   }
@@ -190,7 +190,7 @@ class RayTreeBuilder {
   static Split split(std::span<Patch> part, const WideBox& box, int depth) {
     const std::size_t axis = box.longest_axis();
 
-    // By surface area, unless all middles are in one bin or the tree gets too deep for halving.
+    // Split by surface area, unless all middles are in one bin or the tree gets too deep for halving.
     if (box.size(axis) > 0 && depth + levels_for(part.size()) < RayTree::max_depth - 2) {
       const Bins bins(box, axis, part);
       const auto [border, found] = bins.best();

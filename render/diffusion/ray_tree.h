@@ -16,15 +16,15 @@ struct RayNode {
 };
 
 struct RayTree {
-  static constexpr int max_depth = 32;  ///< as many nodes as wait at a time; see pmvc_rays.comp.glsl
+  static constexpr int max_depth = 32;  ///< size of the stack of nodes; see pmvc_rays.comp.glsl
 
   std::vector<RayNode> node;         ///< the first is the root
   std::vector<std::uint32_t> order;  ///< the triangles, leaf by leaf
 };
 
-/// Splits boxes where their surface area promises least work [Wald, "On fast construction of SAH-based bounding
+/// Splits boxes by the surface area heuristic [Wald, "On fast construction of SAH-based bounding
 /// volume hierarchies", 2007]. Two triangles that share an edge and follow each other, as the halves of a sweep's
-/// quadrangles do, stay together: half as much is to be split.
+/// quadrangles do, stay together, which halves the work.
 /// \param position  in [-1, 1]
 /// \param chosen    of the triangles, the ones to take, ascending; at least one
 RayTree make_ray_tree(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangle,

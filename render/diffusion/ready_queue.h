@@ -17,7 +17,7 @@ class ReadyQueue {
     changed_.notify_one();
   }
 
-  /// Nothing more will come.
+  /// Says that nothing more will come.
   void close() {
     const std::lock_guard lock(mutex_);
     closed_ = true;

@@ -10,7 +10,7 @@ namespace pomona {
 /// The shortest decimal for the number rounded to multiples of `step`, a power of ten.
 void append_number(std::string& text, double number, double step);
 
-/// To the last bit.
+/// A number that reads back as the same bits.
 std::string exact(double number);
 
 /// "1 0.5 -2": the numbers of a vector to the last bit, with blanks between.

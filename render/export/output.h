@@ -32,7 +32,7 @@ void write_whole(std::span<const OutputFile> files);
 /// Whether two paths lead to the same place, links followed. There need not be a file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// For a single file.
+/// The same for a single file.
 void write_whole(const std::filesystem::path& path, std::string bytes);
 
 }  // namespace pomona

@@ -48,7 +48,7 @@ std::string texture_text(const std::array<int, 3>& color) {
   return text + ">}finish{ambient 0.4 diffuse 0.7}}";
 }
 
-/// To the side of the hair, along the skin.
+/// A direction to the side of the hair, along the skin.
 glm::dvec3 aside(const Hair& hair) {
   const glm::dvec3 side = glm::cross(glm::dvec3(hair.tip - hair.root), glm::dvec3(hair.normal));
   const double length = glm::length(side);

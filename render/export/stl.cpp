@@ -25,7 +25,7 @@ void append_bits(std::string& bytes, const glm::vec3& vector) {
   bytes.append(raw, sizeof vector);
 }
 
-/// In millimetres, as the file holds them: normals are those of the rounded places.
+/// Positions in millimetres, rounded as in the file: normals are those of the rounded triangles.
 std::vector<glm::vec3> placed(const Solid& solid, const Pose& pose) {
   std::vector<glm::vec3> places;
   places.reserve(solid.mesh.position.size());

@@ -71,7 +71,7 @@ class CurrentGl {
   GlContext& context_;
 };
 
-/// For messages: "EGL device".
+/// The name for messages: "EGL device".
 std::string to_string(GlRoute route);
 
 /// Whether OpenGL's name of its renderer is that of a software renderer.

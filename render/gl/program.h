@@ -29,7 +29,7 @@ std::string resolved_includes(std::string_view text, std::string_view definition
 /// A linked program. Destroy it while its context is current.
 class Program {
  public:
-  /// From two embedded files.
+  /// Makes a program from two embedded files.
   /// \throws Error (bug) with the compiler's message.
   Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file,
           std::string_view definition = {});

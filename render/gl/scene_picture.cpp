@@ -246,7 +246,7 @@ void ScenePainter::set_camera(const Program& program, const Surfaces& surfaces) 
   instances_.texture().bind(3);
 }
 
-/// From the camera to a map's box, 0..1 along each axis.
+/// The matrix from the camera to a map's box, 0..1 along each axis.
 glm::mat4 ScenePainter::to_unit_box(const glm::mat4& to_clip) const {
   const glm::mat4 to_unit(glm::vec4(0.5f, 0, 0, 0), glm::vec4(0, 0.5f, 0, 0), glm::vec4(0, 0, 0.5f, 0),
                           glm::vec4(0.5f, 0.5f, 0.5f, 1));

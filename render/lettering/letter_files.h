@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-/// In the order of their names.
+/// The files, in the order of their names.
 std::span<const EmbeddedFile> letter_files();
 
 }  // namespace pomona

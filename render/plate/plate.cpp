@@ -34,7 +34,7 @@ void lay(Image& image, const Coverage& cover, const Color& color, double opacity
   }
 }
 
-/// As wide as the drawing, as high as there is room.
+/// The columns beside the drawing, as high as there is room.
 PlateBox columns_beside(const PartMap& map, const PlateBox& room) {
   PlateBox box{{room.high.x, room.low.y}, {room.low.x, room.high.y}};
   for (int y = 0; y < map.height; ++y) {

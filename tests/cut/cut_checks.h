@@ -1,4 +1,4 @@
-// What tests of cutting ask of every cut, and fruits they cut.
+// Expectations of every cut, and fruits to cut.
 #pragma once
 
 #include <vector>

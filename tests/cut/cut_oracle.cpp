@@ -29,7 +29,7 @@ Point cross(const Point& a, const Point& b) {
 }
 
 /// The part of a triangle below the plane: nothing, or three or four corners in the triangle's order. A triangle in the
-/// plane lies below if it looks up: then so does the solid behind it.
+/// plane lies below if it faces up, because the solid behind it does.
 std::vector<Point> below(const std::array<Point, 3>& t, const Point& normal, Quad offset) {
   std::array<Quad, 3> height{};
   for (std::size_t i = 0; i < 3; ++i) height[i] = dot(normal, t[i]) - offset;
@@ -64,7 +64,7 @@ void for_each_skin(const DiffusionSurfaces& surfaces, const Visit& visit) {
   }
 }
 
-/// Of what is section on a plane's face, seen along its normal.
+/// The area of the section on a plane's face.
 double area_of(const Face& face, const Regions& regions) {
   double area = 0;
   for (std::size_t t = 0; t < face.triangle.size(); ++t) {
@@ -89,7 +89,7 @@ int open_ends(const std::vector<CutSegment>& segments, const Bodies& bodies) {
   return static_cast<int>(std::count_if(balance.begin(), balance.end(), [](const auto& b) { return b.second != 0; }));
 }
 
-/// Keeps of a cut's stages what there is to check.
+/// Keeps what is checked of a cut's stages.
 class Witness final : public CutObserver {
  public:
   explicit Witness(const Bodies& bodies) : bodies_(bodies) {}
@@ -102,7 +102,7 @@ class Witness final : public CutObserver {
     planes = all_planes;
     area.assign(segments.size(), 0);
     for (const CutPlanes::Blade& blade : planes.blades) {
-      std::vector<CutSegment> chains;  // those of a stroke go on from facet to facet
+      std::vector<CutSegment> chains;  // chains of a stroke continue from facet to facet
       for (int k = blade.first; k < blade.first + blade.count; ++k) {
         const std::vector<CutSegment>& in_plane = segments[static_cast<std::size_t>(k)];
         chains.insert(chains.end(), in_plane.begin(), in_plane.end());
@@ -157,7 +157,7 @@ double CutOracle::volume_below(const CuttingPlane& plane) const {
   return static_cast<double>(volume / 6);
 }
 
-/// Of the pieces on the plane's negative side.
+/// The volume of the pieces on the plane's negative side.
 double CutOracle::volume_below(std::span<const CutPiece> pieces, const CuttingPlane& plane) {
   double below = 0;
   for (const CutPiece& piece : pieces) {
@@ -194,7 +194,7 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
   facts.open_chains = witness.open_chains;
   if (!closed_) return facts;
 
-  // Areas, plane by plane, as planes have cut them: closed knives come later.
+  // Compare areas plane by plane, before closed knives.
   const CutPlanes& planes = witness.planes;
   for (int k = 0; k < planes.count(); ++k) {
     if (planes[k].same_as != k || planes.blade_of(k).stroke) continue;
@@ -202,7 +202,7 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
     facts.area_error = std::max(facts.area_error, error / (size_ * size_));
   }
 
-  // What lies below a plane that is alone.
+  // Compare the volume below a single plane.
   if (planes.count() != 1 || knives.size() != 1) return facts;
   facts.side_error = std::fabs(volume_below(result.pieces, planes[0].plane) - volume_below(planes[0].plane)) / whole_;
   return facts;
@@ -281,7 +281,7 @@ Knife CutOracle::random_stroke(const RandomStream& random, std::uint64_t number)
   glm::dvec2 way(random_direction(random, draw));
   way = glm::length(way) > 0 ? glm::normalize(way) : glm::dvec2(1, 0);
 
-  // A line that goes on along one direction cannot meet itself.
+  // A line that advances along one direction cannot cross itself.
   std::vector<glm::dvec2> corners;
   const std::uint64_t count = 2 + random.below(draw + 3, 19);
   for (std::uint64_t i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
-// What a cut must give, found another way: the input's triangles clipped one by one in quadruple precision, with no
-// mesh, no chain and no triangulation; and knives that are out for trouble.
+// The right result of a cut, found independently: the input's triangles clipped one by one in quadruple precision,
+// without mesh, chains and triangulation; and difficult knives.
 #pragma once
 
 #include <span>
@@ -12,18 +12,18 @@
 
 namespace pomona::oracle {
 
-/// How far a cut is from what it must be.
+/// The errors of a cut.
 struct CutFacts {
   double area_error = 0;    ///< of the section in one plane, the worst; share of the fruit's size squared; planes only
   double volume_error = 0;  ///< of all pieces together; share of the whole
   double side_error = 0;    ///< of the pieces on one side, with a single plane; share of the whole
-  int open_chains = 0;      ///< ends of cut segments of closed bodies that nothing meets
+  int open_chains = 0;      ///< ends of cut segments of closed bodies that meet nothing
   int open_pieces = 0;      ///< where all bodies are closed
   int pieces = 0;
 };
 
-/// What overlaps counts once (generator/cut/unite). Of planes only whole ones: half-planes of wedges have no area here.
-/// With closed knives, pieces and volumes alone.
+/// Overlaps count once (generator/cut/unite). It knows no half-planes of wedges. Of closed knives it checks only pieces
+/// and volumes.
 class CutOracle {
  public:
   explicit CutOracle(const DiffusionSurfaces& surfaces);
@@ -33,17 +33,18 @@ class CutOracle {
   /// The diagonal of the fruit's bounding box, metres.
   double size() const { return size_; }
 
-  /// A plane somewhere through the fruit.
+  /// A random plane through the fruit.
   Knife random_plane(const RandomStream& random, std::uint64_t number) const;
 
-  /// By turns: through a vertex, level with one, along an edge, in the plane of a triangle, touching the fruit, and
-  /// touching its bounding box. `number` picks the turn, too.
+  /// Alternately: through a vertex, level with one, along an edge, in the plane of a triangle, touching the fruit, and
+  /// touching its bounding box. `number` chooses which.
   Knife degenerate_plane(const RandomStream& random, std::uint64_t number) const;
 
-  /// A stroke of up to twenty edges through the fruit, its corners anywhere or, by turns, over vertices of the fruit.
+  /// A stroke of up to twenty edges through the fruit, its corners anywhere or, alternately, over vertices of the
+  /// fruit.
   Knife random_stroke(const RandomStream& random, std::uint64_t number) const;
 
-  /// A ball, a block or a rod, by turns: somewhere; through a vertex of the fruit; with a face that touches it; as
+  /// A ball, a block or a rod, alternately: anywhere; through a vertex of the fruit; with a face that touches it; as
   /// large as its bounding box; and the fruit's own skin.
   Knife random_solid(const RandomStream& random, std::uint64_t number) const;
 

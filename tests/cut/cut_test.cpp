@@ -1,4 +1,4 @@
-// Cutting named shapes: what is cut adds up, closes, and is where geometry says.
+// Cuts of named shapes: pieces add up, are closed, and lie where geometry says.
 #include "generator/cut/cut.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ double area_of(const CrossSection& section) {
   return sum;
 }
 
-/// Every directed edge of a piece, by position, is matched by an opposite one.
+/// True if every directed edge of a piece has an opposite one, by position.
 bool closes(const CutPiece& piece, const CrossSection& section) {
   using Place = std::tuple<float, float, float>;
   std::map<std::pair<Place, Place>, int> edges;
@@ -204,7 +204,7 @@ TEST(Cut, HasVerticesWhereColoursDiffer) {
   EXPECT_GT(unlike, like);
 }
 
-/// A face of three corners is a single triangle at first: it gets vertices all over from whichever side it is seen.
+/// A face of three corners begins as a single triangle: it gets vertices everywhere, whichever side it faces.
 TEST(Cut, AFaceOfThreeCornersIsAsFineFromEitherSide) {
   const DiffusionSurfaces fruit =
       shapes::painted({{0.03f, 0, 0}, {-0.02f, 0, 0.03f}, {-0.02f, 0, -0.03f}, {0, 0.06f, 0}},
@@ -232,7 +232,7 @@ TEST(Cut, InnerSurfacesGiveBothTheirColours) {
   EXPECT_EQ(red, blue);
 }
 
-/// The triangles that `keep` likes, by their middle.
+/// The triangles for whose middle `keep` is true.
 template <typename Keep>
 DiffusionSurfaces part_of(DiffusionSurfaces surfaces, const Keep& keep) {
   DiffusionSurfaces part = surfaces;
@@ -328,7 +328,7 @@ TEST(Cut, RandomKnivesOnManyShapes) {
   for (std::size_t f = 0; f < fruits.size(); ++f) {
     const double whole = volume_of(cut_with(fruits[f], {}));
     for (int i = 0; i < 25; ++i) {
-      // Two planes: small whole numbers make for planes through vertices, edges and each other's lines.
+      // Two planes: small whole numbers give planes through vertices, edges and each other's lines.
       std::vector<Knife> knives;
       std::string text;
       for (int k = 0; k < 2; ++k) {
@@ -374,7 +374,7 @@ TEST(Cut, BoxThroughVerticesEdgesAndFaces) {
   EXPECT_EQ(number, 26 * 7);
 }
 
-// An edge on the axis is cut by each half-plane that parts its triangles, and by no other.
+// An edge on the axis is cut by each half-plane that separates its triangles, and by no other.
 TEST(Cut, WedgesWhoseAxisLiesInTheSkin) {
   for (const glm::dvec3& low : {glm::dvec3(0), glm::dvec3(-0.02, 0, 0), glm::dvec3(-0.01, 0, -0.02)}) {
     const DiffusionSurfaces box = shapes::box(low, {0.02, 0.02, 0.02}, 2, shapes::skin_paint());
@@ -385,7 +385,7 @@ TEST(Cut, WedgesWhoseAxisLiesInTheSkin) {
   }
 }
 
-/// The other side of a mirror across one axis, as the same surface: what lay in the mirror is there twice, turned.
+/// The shape and its mirror image across one axis, as one surface; triangles in the mirror are there twice.
 DiffusionSurfaces with_mirror_image(const DiffusionSurfaces& one, int axis) {
   DiffusionSurfaces image = one;
   for (glm::vec3& p : image.position) p[axis] = -p[axis];
@@ -395,7 +395,7 @@ DiffusionSurfaces with_mirror_image(const DiffusionSurfaces& one, int axis) {
   return both;
 }
 
-// Voxels, tetrahedra and parts of an assembly share faces, triangle for triangle.
+// Voxels, tetrahedra and parts of an assembly share faces, triangle by triangle.
 TEST(Cut, SolidsOfOneSurfaceThatTouchAreEachCut) {
   DiffusionSurfaces touching = shapes::box({0, 0, 0}, {0.02, 0.02, 0.02}, 2, shapes::skin_paint());
   double volume = 8e-6;
@@ -415,7 +415,7 @@ TEST(Cut, SolidsOfOneSurfaceThatTouchAreEachCut) {
   }
 }
 
-// A knife that meets surfaces and leaves no face has not missed them.
+// A knife that meets surfaces but leaves no face has not missed them.
 TEST(Cut, SaysWhyAKnifeLeavesNoFace) {
   const auto warnings_of = [](const char* knife) {
     return cut(shapes::sphere(0.05, 4, shapes::Paint{}), std::vector{parse_knife(knife)}).warnings;

@@ -12,7 +12,7 @@
 namespace pomona {
 namespace {
 
-/// A row of triangles, each beside the next; what lies before `wall` is parted from the rest.
+/// A row of triangles; those before `wall` are separated from the rest.
 Face strip(std::uint32_t count, std::uint32_t wall) {
   Face face;
   for (std::uint32_t v = 0; v < count + 2; ++v) {

@@ -40,8 +40,8 @@ TEST(PieceGroups, LeaveWhatLiesInAHollowByItself) {
   EXPECT_THAT(piece_groups(parts, {0, 0, 0, 0}, {}), ElementsAre(0, 0, 2, 2));
 }
 
-/// Walls without the part that they belong to hold nothing; nor does a part that is a box in one place and such a wall
-/// in another.
+/// Walls without the part around them contain nothing; nor does a part that is a box in one place and such a wall in
+/// another.
 TEST(PieceGroups, TakeNothingIntoWhatIsInsideOut) {
   EXPECT_THAT(piece_groups({hollow_of(0, 10), box_of(3, 4)}, {0, 0}, {}), ElementsAre(0, 1));
   const CutPiece both = part_of(joined(shapes::box(glm::dvec3(20), glm::dvec3(40), 1),

@@ -1,4 +1,4 @@
-// What pieces enclose: volumes and moments, against mirror images and sums over places.
+// Volumes and moments of pieces, compared with mirror images and sums over points.
 #include "generator/cut/pieces.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ struct Moments {
   glm::dmat3 second{0};
 };
 
-/// Over the tetrahedra between triangles and the origin.
+/// The moments, summed over the tetrahedra between triangles and the origin.
 Moments moments_of(const std::vector<Triangle>& triangles) {
   Moments m;
   for (const auto& [a, b, c] : triangles) {
@@ -80,7 +80,8 @@ Moments moments_by_places(const glm::dvec3& low, const glm::dvec3& high, const H
   return m;
 }
 
-/// In a fruit of some 6 cm: shares of the volume, of it times a length, and of it times a length squared.
+/// Expects equal moments up to shares of the volume, of it times a length, and of it times a length squared, of a fruit
+/// of some 6 cm.
 void expect_alike(const Moments& found, const Moments& wanted, double share) {
   constexpr double length = 0.03;
   EXPECT_NEAR(found.volume / wanted.volume, 1, share);
@@ -103,7 +104,7 @@ const glm::dvec3 low(-0.03, -0.02, -0.025), high(0.03, 0.04, 0.02);
 
 DiffusionSurfaces box_fruit() { return shapes::box(low, high, 3, shapes::skin_paint()); }
 
-/// Closed knives laid at the box: through its faces and edges, within it, on its middle planes, in generic positions.
+/// Closed knives at the box: through its faces and edges, within it, on its middle planes, in generic positions.
 std::vector<ClosedSurface> knives_at_box() {
   return {shapes::ball({0.02, 0.01, 0.004}, 0.02, 4), shapes::ball({0, 0.01, 0}, 0.015, 3),
           shapes::block({-0.01, -0.05, -0.01}, {0.03, 0.01, 0.02}),
@@ -187,7 +188,7 @@ std::vector<double> volumes_of(const Cut& cut) {
   return volumes;
 }
 
-/// In a mirror, ties are decided the other way; what is enclosed stays the same.
+/// In a mirror image ties are decided differently; volumes stay the same.
 TEST(Pieces, OfAMirrorImageAreAsLarge) {
   const std::vector<ClosedSurface> all = knives_at_box();
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -8,7 +8,7 @@ namespace pomona::rays {
 
 namespace {
 
-/// Where a ray enters or leaves.
+/// A place where a ray enters or leaves.
 struct Pass {
   double height = 0;
   int into = 0;
@@ -18,7 +18,7 @@ double side(const Point& a, const Point& b, double x, double y) {
   return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }
 
-/// Seen so that rays run along the third axis: turned by angles that no knife has.
+/// The point in a frame whose third axis is the direction of rays: turned by angles that no knife has.
 Point seen(const Point& p) {
   const double c1 = 0.8253356149096783, s1 = 0.5646424733950354;  // 0.6 radians
   const double c2 = 0.6216099682706644, s2 = 0.7833269096274834;  // 0.9

@@ -81,8 +81,8 @@ TEST(RobustCut, OfClosedSurfacesOutForTrouble) {
   }
 }
 
-/// A knife as uneven as this fruit's own skin: the middles of its edges are rounded, so it lies inside and outside the
-/// skin by turns. In floats, parts that are open by themselves close each other.
+/// A knife like the fruit's own skin: the middles of its edges are rounded, so it lies partly inside and partly outside
+/// of the skin. In floats, open parts close each other.
 TEST(RobustCut, AlongTheFruitsOwnSkin) {
   DiffusionSurfaces fruit = shapes::sphere(0.05, 20, shapes::skin_paint());
   for (glm::vec3& p : fruit.position) {
@@ -121,7 +121,7 @@ TEST(RobustCut, OfStrokesThatBendOverVerticesAndAlmostOverOthers) {
   }
 }
 
-/// A plane that misses a face of the box by less than a double resolves there is still told from one through it.
+/// A plane that misses a face of the box by less than a double resolves there still differs from one through it.
 TEST(RobustCut, TellsAFaceFromAPlaneNextToIt) {
   const DiffusionSurfaces box = shapes::box({0, 0, 0}, {1, 1, 1}, 2, shapes::skin_paint());
   const CutOracle oracle(box);
@@ -134,12 +134,12 @@ TEST(RobustCut, TellsAFaceFromAPlaneNextToIt) {
   }
 }
 
-/// Planes in the faces of a block that lies anyhow, or next to them by about what floats resolve there.
+/// Planes in the faces of a turned block, or beside them by about what floats resolve there.
 TEST(RobustCut, AlongTheFacesOfATurnedBlock) {
   const RandomStream random({13, 0}, "test/robust");
   const glm::dvec3 half(0.005, 0.01, 0.015);
   for (std::uint64_t i = 0; i < 24; ++i) {
-    // A turn, and the block's own directions after it.
+    // The directions of the turned block.
     std::array<glm::dvec3, 3> way;
     for (std::uint64_t k = 0; k < 2; ++k)
       for (std::uint64_t c = 0; c < 3; ++c) way[k][static_cast<int>(c)] = random.uniform(100 * i + 3 * k + c) - 0.5;
@@ -153,7 +153,7 @@ TEST(RobustCut, AlongTheFacesOfATurnedBlock) {
     }
     const double volume = shapes::signed_volume(block);
 
-    // By turns two, three or all six faces, each as far in or out.
+    // Two, three or all six faces, each moved in or out equally far.
     for (const double inwards : {0.0, 1e-10, -1e-10, 3e-10, -1e-9, 1e-9, 3e-9, 6e-9, 1e-8, -1e-8, 3e-8, 1e-7}) {
       std::vector<Knife> knives;
       const std::size_t planes = i % 3 == 0 ? 2 : i % 3 == 1 ? 3 : 6;

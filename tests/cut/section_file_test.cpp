@@ -1,4 +1,4 @@
-// The section as PLY: it has the header that the documents promise, and bytes where the header says.
+// The section as PLY has the documented header, and the bytes that it announces.
 #include "generator/cut/section/section_file.h"
 
 #include <cstring>

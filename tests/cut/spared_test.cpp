@@ -194,7 +194,7 @@ TEST(Spared, KnivesThatMissItLeaveAllAsItWas) {
   shapes::expect_same(cut_sparing(peach(), knife), cut(peach(), knife));
 }
 
-/// A ball under a leaf that lies on it and is sunk in it a little, on one side of the axis or on both.
+/// A ball and a leaf that is sunk in it a little, on one side of the axis or on both.
 DiffusionSurfaces leafy(double from, double to) {
   shapes::Paint green = shapes::skin_paint();
   green.front_part = green.back_part = "leaf";
@@ -222,7 +222,7 @@ TEST(HeldBack, ALeafGoesWithWhatItSitsOn) {
     return min;
   };
   const double bare = volume_of_core(shapes::sphere(outer, 10, shapes::skin_paint()));
-  // Where it is sunk in, the place is the flesh's.
+  // Where the leaf is sunk in, the place belongs to the flesh.
   const double leaf = shapes::volume_of(cut(leafy(-0.002, 0.02), {})) -
                       shapes::volume_of(cut(shapes::sphere(outer, 10, shapes::skin_paint()), {}));
   EXPECT_LT(leaf, 0.99 * 0.022 * 0.003 * 0.008);
@@ -230,7 +230,7 @@ TEST(HeldBack, ALeafGoesWithWhatItSitsOn) {
   EXPECT_NEAR(volume_of_core(leafy(0.0055, 0.0275)) - bare, 0, 1e-3 * leaf);
 }
 
-/// Where a plane has cut it, there is no leaf to push aside.
+/// A corer does not push aside a leaf that a plane has cut.
 TEST(HeldBack, WhatIsCutAlreadyIsCut) {
   const DiffusionSurfaces fruit = leafy(-0.02, 0.02);
   const Cut found = cut(fruit, parsed({"half", "core:12mm"}));

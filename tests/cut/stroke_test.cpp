@@ -1,4 +1,4 @@
-// Strokes: what is cut along polylines adds up, closes, and is where geometry says.
+// Cuts along polylines: pieces add up, are closed, and lie where geometry says.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -189,7 +189,7 @@ TEST(Stroke, CrossingItselfIsAnError) {
   EXPECT_THROW(cut(box(), std::vector<Knife>{stroke_knife({{0, 0}, {0.02, 0}, {0.02, 0.01}, {0.01, 0.005}})}), Error);
 }
 
-/// A file in a folder that is removed again.
+/// A file in a folder that is removed afterwards.
 class StrokeFile : public testing::Test {
  protected:
   void SetUp() override {

@@ -13,7 +13,7 @@ namespace pomona::oracle {
 
 namespace {
 
-using Ways = std::array<glm::dvec3, 3>;  // along the block's edges, of length 1
+using Ways = std::array<glm::dvec3, 3>;  // unit vectors along the block's edges
 
 Ways random_turn(const RandomStream& random, std::uint64_t draw) {
   Ways way;

@@ -1,4 +1,4 @@
-// Blocks that lie anyhow, and planes along their faces.
+// Blocks with random rotations, and planes along their faces.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct BlockCut {
   double volume = 0;  ///< the block's, cubic metres
 };
 
-/// A block of random size, place and turn, and planes along two to six of its faces. All planes are equally far out or
-/// in: by turns not at all, by less than 1e-10 m, or by up to 1e-7 m. Every other block's planes are tilted, too, by
+/// A block of random size, place and rotation, and planes along two to six of its faces. All planes are moved out or in
+/// equally far: not at all, by less than 1e-10 m, or by up to 1e-7 m. Planes of every other block are also tilted, by
 /// as much at the block's rim.
 BlockCut turned_block_cut(const RandomStream& random, std::uint64_t number);
 
-/// What the pieces of such a cut get wrong.
+/// Faults of the pieces of such a cut.
 struct BlockFaults {
   int open = 0;             ///< pieces that are open
   int without_volume = 0;   ///< pieces whose volume is not above 0

@@ -1,4 +1,4 @@
-// What overlaps counts once.
+// Overlaps count once.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -28,7 +28,7 @@ rays::Triangle triangle(const std::vector<glm::vec3>& p, const glm::uvec3& t) {
   return {point(p[t.x]), point(p[t.y]), point(p[t.z])};
 }
 
-/// All that faces air, as it faces it.
+/// The triangles of the skin, facing air.
 std::vector<rays::Triangle> skin_of(const DiffusionSurfaces& surfaces) {
   std::vector<rays::Triangle> all;
   for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
@@ -67,7 +67,7 @@ double area_of(const CrossSection& section) {
   return sum;
 }
 
-/// Of caps that lie where another does; slivers where rounding folds a skin are left.
+/// The area of caps that lie where another does; slivers where rounding folds a skin do not count.
 double doubled_area(const CutPiece& piece, const CrossSection& section) {
   std::set<std::uint32_t> seen;
   double sum = 0;
@@ -92,7 +92,7 @@ std::size_t body_count(const UnitedBodies& united) {
   return all.size();
 }
 
-/// Blocks of which faces lie in one plane, and edges on one line, too: nothing is in a general position.
+/// Blocks with faces in one plane and edges on one line: nothing is in general position.
 TEST(United, BlocksThatOverlapCountOnce) {
   const DiffusionSurfaces one = block({0, 0, 0}, {0.02, 0.02, 0.02}, 2);
   const auto with = [&](const glm::dvec3& low, const glm::dvec3& high) { return joined(one, block(low, high, 3)); };
@@ -209,7 +209,7 @@ TEST(United, DoesNotDependOnThreads) {
 
 class UnitedTemplates : public testing::TestWithParam<std::string> {};
 
-/// To a thousandth, as rays have it, whole and in slices, of the place that the grown bodies fill.
+/// Whole and in slices, volumes are those of rays through the grown bodies, to a thousandth.
 TEST_P(UnitedTemplates, WeighWhatTheyFill) {
   const Template fruit = read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + GetParam() + ".toml");
   const DiffusionSurfaces surfaces = grow(fruit, {0, 0}, {.as_drawn = true, .detail = 0.5}).sheets;

@@ -1,4 +1,4 @@
-// What a cut works on: the bodies of a fruit, united where they overlap.
+// The bodies of a fruit, united where they overlap: the input of a cut.
 #pragma once
 
 #include <optional>

@@ -68,8 +68,8 @@ class Arranger {
     }
   }
 
-  /// The same for all triangles at the edge. Along a fruit's triangle a segment begins where the triangle's edge leaves
-  /// the knife, along the knife's where the edge enters the back of the fruit's.
+  /// The point of a crossing: the same for all triangles at the edge. Along a fruit's triangle a segment begins where
+  /// the triangle's edge leaves the knife, along the knife's where the edge enters the back of the fruit's.
   std::uint32_t place_of(const Crossing& crossing, std::uint32_t fruit, std::uint32_t knife, bool is_begin) {
     const Arrangement::Facet& own = all_.facet[crossing.of_fruit ? fruit : knife];
     const std::uint32_t through = crossing.of_fruit ? knife : fruit;
@@ -99,8 +99,8 @@ class Arranger {
     return true;
   }
 
-  /// Facet by facet, until none finds a place on its edges or segments that its neighbours there do not know of. The
-  /// knife's come first: surfaces cross each other there.
+  /// Triangulates facets until none finds a place on its edges or segments that its neighbours there do not know. The
+  /// knife's facets come first, because surfaces cross each other there.
   void split() {
     waits_.assign(all_.facet.size(), 0);
     for (std::size_t f = 0; f < all_.facet.size(); ++f) waits_[f] = patched(f).places.empty() ? 0 : 1;

@@ -70,7 +70,7 @@ class Carver {
   }
 
  private:
-  /// Those near the knife.
+  /// Takes the triangles near the knife.
   void take_triangles() {
     const Box<double> box = box_of(knife_.mesh);
     const std::vector<glm::dvec3>& point = fruit_.mesh.point;
@@ -97,7 +97,7 @@ class Carver {
     }
   }
 
-  /// Before the fruit is split.
+  /// The boundaries of bodies along the arrangement, before the fruit is split.
   Boundaries boundaries_of(const Arrangement& all) const {
     Boundaries boundaries;
     boundaries.boundary_of_facet.resize(all.fruit_count);
@@ -120,7 +120,7 @@ class Carver {
     return boundaries;
   }
 
-  /// All that lie on the knife count as lying on one more plane.
+  /// Takes the new points. All points on the knife count as lying on one more plane.
   void take_new_points(const Arrangement& all) {
     SplitMesh& mesh = fruit_.mesh;
     const int plane = knife_.plane;
@@ -152,7 +152,7 @@ Cutting carve(CutFruit fruit, const ClosedKnife& knife, const DiffusionSurfaces&
 }
 
 KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& limits) {
-  // Where the knife as it is meets the surfaces, and how fine these are there.
+  // Find where the unrefined knife meets the surfaces, and how fine these are there.
   const Box<double> box = box_of(knife);
   Box<double> whole;
   std::vector<Corners> surface, own;

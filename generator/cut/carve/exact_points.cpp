@@ -49,14 +49,14 @@ struct SameBits {
   }
 };
 
-/// Zeros of both signs are one.
+/// The key of a point. Zeros of both signs are equal.
 std::array<double, 3> key_of(const glm::dvec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
 }  // namespace
 
 struct ExactPoints::Data {
   std::vector<glm::dvec3> rounded;
-  std::vector<std::optional<Vector>> exact;  // filled on demand where the rounded one is exact
+  std::vector<std::optional<Vector>> exact;  // filled on demand where the rounded point is exact
   std::unordered_map<std::array<double, 3>, std::vector<std::uint32_t>, SameBits> there;
 
   const Vector& at(std::uint32_t place) {
@@ -125,14 +125,14 @@ class FacetTriangulator {
       return result;
     }
 
-    // The corners, then all places and segments, which cross where they will.
+    // Insert the corners, then all places and segments, which may cross.
     for (const std::uint32_t place : facet_.corner) insert(place);
     for (const std::uint32_t place : facet_.places) insert(place);
     for (std::size_t i = 0; i < 3; ++i) keep(facet_.corner[i], facet_.corner[(i + 1) % 3]);
     for (const std::array<std::uint32_t, 2>& s : facet_.segments) keep(s[0], s[1]);
     for (const PlaceVertex v : mesh_->finite_vertex_handles()) name(v);
 
-    // Triangles and chains, in an order that does not depend on CGAL's.
+    // Return triangles and chains in an order that does not depend on CGAL.
     for (const auto face : mesh_->finite_face_handles()) {
       std::array<std::uint32_t, 3> t{};
       for (int i = 0; i < 3; ++i) t[static_cast<std::size_t>(i)] = face->vertex(i)->info().value;
@@ -183,7 +183,7 @@ class FacetTriangulator {
     kept_.push_back(kept);
   }
 
-  /// A crossing gets the place it has in space.
+  /// Gives a crossing its place in space.
   void name(PlaceVertex v) {
     if (v->info().value != unset) return;
     const Vector& a = at_(facet_.corner[0]);
@@ -205,7 +205,7 @@ class FacetTriangulator {
     return all;
   }
 
-  /// Of a facet whose corners lie on one line: all that lies between the ends, which an order by coordinates follows.
+  /// The chain of a facet whose corners lie on one line: all points between its ends, ordered by coordinates.
   std::vector<std::uint32_t> chain_on_line(std::size_t number) const {
     const std::uint32_t from = number < 3 ? facet_.corner[number] : facet_.segments[number - 3][0];
     const std::uint32_t to = number < 3 ? facet_.corner[(number + 1) % 3] : facet_.segments[number - 3][1];

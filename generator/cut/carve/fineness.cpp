@@ -23,7 +23,7 @@ double distance(const Box<double>& box, const glm::dvec3& place) {
   return glm::length(glm::max(glm::max(box.low - place, place - box.high), glm::dvec3(0)));
 }
 
-/// Puts the sources of the lower half along their longest side first; how many these are.
+/// Puts the half of the sources that is lower along their longest side first, and returns its number.
 std::uint32_t halved(std::span<FinenessSource> sources) {
   Box<double> box;
   for (const FinenessSource& source : sources) box.add(source.place);

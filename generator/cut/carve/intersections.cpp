@@ -30,7 +30,7 @@ class RoundedPlane {
     reach_ = rounding * longest * longest;
   }
 
-  /// As the tie rule has it (tie_rule.h), or 0 where rounding does not let it tell.
+  /// The side by the tie rule (tie_rule.h), or 0 where rounding hides it.
   int side(const glm::dvec3& point) const {
     const glm::dvec3 way = point - at_;
     const double height = glm::dot(normal_, way), error = reach_ * largest(way) + underflow;
@@ -38,7 +38,7 @@ class RoundedPlane {
   }
 
  private:
-  /// Six products of three factors, none larger than the largest, in nine rounded steps: 6 x 9 x 2^-53, and some more.
+  /// Error bound: six products of three factors, in nine rounded steps, make 6 x 9 x 2^-53; and some reserve.
   static constexpr double rounding = 1e-14;
   static constexpr double underflow = 1e-300;  ///< smaller products may have lost digits
 

@@ -13,12 +13,12 @@ namespace pomona {
 
 namespace {
 
-/// Where normals add up to less than this share of the area, they have no mean direction worth looking along.
+/// Where normals add up to less than this share of the area, they have no useful mean direction.
 constexpr double min_mean = 0.25;
 
 constexpr int max_subdivisions = 8;
 
-/// Part by part: what looks one way on the whole, then the rest.
+/// Divides part after part: what faces one way on the whole, then the rest.
 class Charter {
  public:
   Charter(Face face, int knife) : face_(std::move(face)), knife_(knife) {
@@ -40,7 +40,7 @@ class Charter {
 
  private:
   void part(std::vector<std::uint32_t> triangles, int subdivisions) {
-    // The direction they look in on the whole, or, of a tube, the axis around which they look.
+    // Find the direction in which they face on the whole, or the axis around which those of a tube face.
     if (triangles.empty()) return;
     glm::dvec3 sum(0);
     double area = 0;
@@ -52,7 +52,7 @@ class Charter {
     const bool has_direction = size > min_mean * area;
     const glm::dvec3 direction = has_direction ? sum / size : main_axis(triangles);
 
-    // What looks that way is one face; the rest is parted again.
+    // What faces that way is one face; the rest is divided again.
     std::vector<std::uint32_t> seen, others;
     for (const std::uint32_t t : triangles) (glm::dot(area_[t], direction) > 0 ? seen : others).push_back(t);
     if (seen.empty() || subdivisions >= max_subdivisions) {
@@ -66,7 +66,7 @@ class Charter {
       part_away_from(direction, std::move(others), subdivisions + 1);
   }
 
-  /// The other half of what looks one way and the other along an axis.
+  /// Divides what faces both ways along an axis: takes the other half.
   void part_away_from(const glm::dvec3& axis, std::vector<std::uint32_t> triangles, int subdivisions) {
     std::vector<std::uint32_t> seen, others;
     for (const std::uint32_t t : triangles) (glm::dot(area_[t], axis) < 0 ? seen : others).push_back(t);
@@ -74,7 +74,7 @@ class Charter {
     part(std::move(others), subdivisions);
   }
 
-  /// The axis of the frame along which most of the area looks, one way or the other.
+  /// The axis of the frame along which most of the area faces, in either direction.
   glm::dvec3 main_axis(const std::vector<std::uint32_t>& triangles) const {
     glm::dvec3 along(0);
     for (const std::uint32_t t : triangles) {

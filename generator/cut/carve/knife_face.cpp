@@ -16,7 +16,7 @@ namespace pomona {
 
 namespace {
 
-/// Triangle by triangle of the knife.
+/// Builds the face from the knife's triangles.
 class KnifeFaceBuilder {
  public:
   KnifeFaceBuilder(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces, const SplitMesh& mesh)
@@ -67,9 +67,9 @@ class KnifeFaceBuilder {
     face_.sort_edges();
   }
 
-  /// Two triangles at an edge are neighbours; of four, those that run it in opposite ways.
+  /// Two triangles at an edge are neighbours; of four, those that use it in opposite directions.
   void find_neighbors() {
-    // Whether a surface or a crease follows a side.
+    // Mark the sides that a surface or a crease follows.
     face_.neighbor.assign(face_.triangle.size(), {Face::none, Face::none, Face::none});
     face_.constrained.assign(face_.triangle.size(), {0, 0, 0});
     for (std::uint32_t t = 0; t < face_.triangle.size(); ++t) {
@@ -79,7 +79,7 @@ class KnifeFaceBuilder {
       }
     }
 
-    // Of each edge the sides that run it forward are paired with those that run it back, in the triangles' order.
+    // At each edge, pair sides in its direction with sides against it, in the order of the triangles.
     for_each_edge(sorted_half_edges(face_.triangle, {.of_collapsed = true}), [&](std::span<const HalfEdge> edge) {
       std::vector<HalfEdge> forward, back;
       for (const HalfEdge& side : edge) (side.forward ? forward : back).push_back(side);

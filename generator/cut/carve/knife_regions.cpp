@@ -27,7 +27,7 @@ void cross(std::vector<CellBoundary>& inside, const std::vector<CellBoundary>& b
 
 namespace {
 
-/// From patch to patch over the knife's surface.
+/// Walks from patch to patch over the knife's surface.
 class KnifeRegions {
  public:
   KnifeRegions(const Face& face, const KnifeTraces& traces, std::uint32_t stride, FacePatches patches)
@@ -70,8 +70,8 @@ class KnifeRegions {
     }
   }
 
-  /// What passes through an edge of a triangle, and how often one comes from before it to behind on leaving the
-  /// triangle, which lies left of its edges.
+  /// The boundaries that pass through an edge of a triangle, and how often a step out of the triangle, which lies left
+  /// of its edges, leads from before each to behind it.
   std::vector<std::pair<const KnifeEdge*, int>> along(std::size_t triangle, std::size_t edge) const {
     const std::uint32_t from = face_.point[face_.corner(triangle, edge)],
                         to = face_.point[face_.corner(triangle, edge + 1)];
@@ -82,14 +82,14 @@ class KnifeRegions {
     return all;
   }
 
-  /// Cell by cell; in nearly all patches there is one.
+  /// What a patch closes, cell by cell; in nearly all patches there is one cell.
   std::vector<Regions::Closing> closed_by(std::uint32_t patch) const {
     std::map<std::uint32_t, std::vector<BodyWinding>> in_cell;
     for (const CellBoundary& b : inside_[patch]) {
       if (!patches_.is_open(b.body)) in_cell[b.cell].push_back({b.body, b.winding});
     }
 
-    // Bodies that do not close have no winding that one could count: the patch itself says which fill it.
+    // Open bodies have no winding numbers: the patch itself says which of them fill it.
     std::vector<BodyWinding> open;
     std::copy_if(patches_.inside[patch].begin(), patches_.inside[patch].end(), std::back_inserter(open),
                  [&](const BodyWinding& w) { return patches_.is_open(w.body); });

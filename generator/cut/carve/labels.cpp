@@ -16,7 +16,7 @@ constexpr int unknown = std::numeric_limits<int>::min();
 
 /// What runs along the edges of one facet's parts.
 struct FacetEdges {
-  EdgeMap<int> balance;           // of segments, on the way from the lower place to the higher
+  EdgeMap<int> balance;           // segments from the lower place to the higher less those that go back
   EdgeMap<std::uint32_t> border;  // the facet's own edge that this is a part of
 
   int along(std::uint32_t from, std::uint32_t to) const {
@@ -75,7 +75,7 @@ class Labeller {
     std::uint32_t edge = 0;  // the facet's, of which `between` is a part
     EdgeKey between;
     std::uint32_t part = 0;
-    int across = 0;  // what crossing it adds on the way from the part to the edge itself
+    int across = 0;  // change of the label from the part to the edge
     auto key() const { return std::tie(edge, between); }
   };
 
@@ -127,15 +127,15 @@ class Labeller {
     for (std::size_t i = 1; i < first_step_.size(); ++i) first_step_[i] += first_step_[i - 1];
   }
 
-  /// Asks how deep the facet's first corner lies, and goes on from the part that has the beginning of its first edge.
+  /// Finds how deep the facet's first corner lies, and goes on from the part that has the beginning of its first edge.
   void start(std::size_t number) {
-    // How deep the first corner lies, a vanishing step along the first edge.
+    // Find how deep the first corner lies, after a vanishing step along the first edge.
     const Arrangement::Facet& facet = all_.facet[number];
     const std::uint32_t corner = facet.corner[0];
     std::uint32_t part = first_part_[number];
     int depth = winding_at(corner) + crossings_at(corner, all_.edge[facet.edge[0]]);
 
-    // Which part of the facet has the beginning of that edge, and what lies along it.
+    // Find the part of the facet with the beginning of that edge, and what lies along it.
     if (!facet.is_whole()) {
       const std::uint32_t end = facet.mesh.chain[0][1];
       for (std::uint32_t k = 0; k < facet.mesh.triangle.size(); ++k) {
@@ -147,7 +147,7 @@ class Labeller {
       depth += edges_of(facet).along(corner, end);
     }
 
-    // From part to part, over all connected parts.
+    // Walk over all connected parts.
     label_[part] = depth;
     std::vector<std::uint32_t> stack{part};
     while (!stack.empty()) {
@@ -170,7 +170,7 @@ class Labeller {
     return sum;
   }
 
-  /// What the knife's triangles that the edge meets at its very end change on the way from there.
+  /// The change of the label by knife triangles that the edge meets exactly at its end, on the way from there.
   static int crossings_at(std::uint32_t end, const Arrangement::Edge& edge) {
     int sum = 0;
     for (const Arrangement::Crossing& c : edge.crossings) {

@@ -7,7 +7,7 @@ namespace pomona {
 
 namespace {
 
-/// The edge of the facet of which the way is the beginning; or -1.
+/// The edge of the facet that begins with this step, or -1.
 int beginning(const Arrangement::Facet& facet, std::uint32_t from, std::uint32_t to) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (facet.corner[i] != from) continue;

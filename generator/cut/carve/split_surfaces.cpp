@@ -58,7 +58,7 @@ class SurfaceSplitter {
       gone[parts_.surface[f]] = 1;
     }
 
-    // The parts come after what is left.
+    // Put the parts after the triangles that are left.
     std::size_t kept = 0;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       if (!gone[t]) triangles_[kept++] = triangles_[t];
@@ -85,7 +85,7 @@ class SurfaceSplitter {
     }
   }
 
-  /// The same for all triangles at the edge.
+  /// The vertex at a place on an edge: the same for all triangles there.
   std::uint32_t vertex_between(std::uint32_t a, std::uint32_t b, std::uint32_t place) {
     if (mesh_.point_of[a] > mesh_.point_of[b]) std::swap(a, b);
     const auto [entry, is_new] = made_.try_emplace({a, b, place}, static_cast<std::uint32_t>(mesh_.point_of.size()));
@@ -111,7 +111,7 @@ class SurfaceSplitter {
     return mesh_.add_vertex(place, front, back, unit(normal));
   }
 
-  /// Segments run by the input's front, which triangles that face air may have turned away.
+  /// Segments are directed by the input's front; triangles that face air may have been turned over since.
   void take_segments(const SurfaceTriangle& whole, const Facet& facet) {
     const bool is_skin = surfaces_.is_boundary(whole.source);
     const bool turned = is_skin && surfaces_.is_hidden(whole.source, SideOf::back);
@@ -169,7 +169,7 @@ class SectionSplitter {
     for (std::uint32_t& cell : cap.closing.cell) cell += parts_.stride;
   }
 
-  /// Edges that follow a surface have its colours on them.
+  /// Finds the edges that follow a surface, and its colours there.
   void find_surface_edges() {
     place_.assign(mesh_.position.size(), 0);
     for (std::size_t t = 0; t < mesh_.triangle.size(); ++t) {
@@ -194,7 +194,7 @@ class SectionSplitter {
     }
   }
 
-  /// Vertices of the section that lie on the knife's surface are its own, too.
+  /// Shares vertices of the section that lie on the knife's surface.
   void share(std::uint32_t place) {
     const std::uint32_t v = vertex_.at(place);
     if (mesh_.interior[v]) traces_.shared.try_emplace(place, v);
@@ -293,7 +293,7 @@ std::vector<CellBoundary> boundary_of(const SurfaceTriangle& skin, const Bodies&
   return {{skin.cell, bodies.of_triangle[skin.source], 1}};
 }
 
-/// Faces look to their positive side.
+/// The boundary of a cap. Faces look to their positive side.
 std::vector<CellBoundary> boundary_of(const Cap& cap) {
   std::vector<CellBoundary> all;
   for (const BodyWinding& w : cap.closing.inside) {

@@ -26,13 +26,13 @@ ExactVector way(const glm::dvec3& from, const glm::dvec3& to) {
   return {Exact(to.x) - Exact(from.x), Exact(to.y) - Exact(from.y), Exact(to.z) - Exact(from.z)};
 }
 
-/// Six times the volume of the triangle and a way from its first corner.
+/// Six times the volume between the triangle and a vector from its first corner.
 Exact volume(const Corners& t, const ExactVector& w) {
   const ExactVector u = way(t[0], t[1]), v = way(t[0], t[2]);
   return (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2];
 }
 
-/// Where the way from p to q passes through the triangle's plane; 0 for a way along it.
+/// The share of the segment from p to q at which it passes through the triangle's plane; 0 if it is parallel.
 Exact share_along(const glm::dvec3& p, const glm::dvec3& q, const Corners& t) {
   const Exact before = volume(t, way(t[0], p)), after = volume(t, way(t[0], q));
   return before == after ? Exact(0) : Exact(before / (before - after));
@@ -45,7 +45,8 @@ int normal_sign(const Corners& t, int axis) {
   return sign_of(CGAL::orientation(flat(t[0]), flat(t[1]), flat(t[2])));
 }
 
-/// `sense` is 1 where the point moves by (e, e^2, e^3), -1 where the triangle does.
+/// The side of the triangle on which the point lies. `sense` is 1 where the point moves by (e, e^2, e^3), -1 where the
+/// triangle does.
 int side(const Corners& t, const glm::dvec3& p, int sense) {
   const int exact = orientation(t[0], t[1], t[2], p);
   if (exact != 0) return exact;
@@ -56,7 +57,7 @@ int side(const Corners& t, const glm::dvec3& p, int sense) {
   return 1;
 }
 
-/// On which side of the way from a to b the point lies, seen from above; 0 only for a way straight up.
+/// The side of the segment from a to b on which the point lies, seen from above; 0 only for a vertical segment.
 int side_of_way(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p, int sense) {
   const auto flat = [](const glm::dvec3& q) { return InexactKernel::Point_2(q.z, q.x); };
   const int exact = sign_of(CGAL::orientation(flat(a), flat(b), flat(p)));
@@ -66,7 +67,7 @@ int side_of_way(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p, i
   return 0;
 }
 
-/// Of the ray from the point upwards. Far from the triangle's shadow nothing needs to be exact.
+/// The winding that the ray from the point upwards counts. Far from the triangle's shadow it need not be exact.
 int winding(const Corners& t, const glm::dvec3& p, int sense) {
   for (const int axis : {0, 2}) {
     const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});

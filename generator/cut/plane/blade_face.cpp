@@ -74,7 +74,7 @@ void BladeFaceBuilder::number_new_points(std::uint32_t first_new) {
   }
 }
 
-/// No triangle reaches over a crease.
+/// Finds the facet of each triangle: none reaches over a crease.
 void BladeFaceBuilder::find_facets() {
   Face& face = made_.face;
   for (std::size_t i = 0; i < blade_.facets(); ++i) face.frame.push_back(blade_.frame(static_cast<int>(i)));
@@ -176,7 +176,7 @@ void BladeFaceBuilder::surround() {
 }
 
 std::vector<SizeSource> BladeFaceBuilder::sources(double contrast) const {
-  // Every edge along a constraint, and how long the edges are that meet at each vertex.
+  // Collect the edges along constraints, and the lengths of the edges that meet at each vertex.
   std::vector<SizeSource> sources;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
   std::vector<double> length_at(flat_.point.size(), 0);
@@ -194,7 +194,7 @@ std::vector<SizeSource> BladeFaceBuilder::sources(double contrast) const {
     }
   }
 
-  // The mean of each edge and those beside it on its chain, if that is more than its own length.
+  // Take the mean over each edge and its neighbours on the chain, if that is longer than the edge.
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const double own = glm::distance(sources[i].a, sources[i].b);
     double sum = own;
@@ -290,7 +290,7 @@ void BladeFaceBuilder::list_edge_points(const MeshEdge& edge, std::uint32_t firs
   for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
     const std::uint32_t point = made_.face.point[chain[i]];
     const double measured = glm::distance(start, place_of(point)) / length;
-    share = std::max(measured, std::nextafter(share, 2.0));  // the order along the chain, whatever rounding says
+    share = std::max(measured, std::nextafter(share, 2.0));  // rounding must not change the order along the chain
     made_.edge_point.push_back({edge.low, edge.high, share, point});
   }
 }

@@ -31,7 +31,7 @@ class SurfaceClipper {
   }
 
  private:
-  /// Fans the points of one edge out from the corner across; what that leaves on other edges, next.
+  /// Makes a fan from the opposite corner over the points of one edge; points on other edges come next.
   void add(const SurfaceTriangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = t.vertex[i], b = t.vertex[(i + 1) % 3], c = t.vertex[(i + 2) % 3];

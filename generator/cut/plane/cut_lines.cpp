@@ -29,7 +29,7 @@ std::uint32_t set_of(const CutLine& line, SplitMesh& mesh) {
   return mesh.sets.with(mesh.sets.with(0, line.planes[0]), line.planes[1]);
 }
 
-/// Pair by pair of planes.
+/// Finds the lines of all pairs of planes.
 class CutLineFinder {
  public:
   CutLineFinder(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
@@ -74,7 +74,7 @@ class CutLineFinder {
     if (glm::distance(axis.origin, center_) < reach_) lines_.push_back(axis);
   }
 
-  /// The line's origin is its nearest point to the fruit's middle.
+  /// Adds the line of two planes. Its origin is its nearest point to the fruit's middle.
   void add_line(int a, int b) {
     const CuttingPlane &p = planes_[a].plane, &q = planes_[b].plane;
     const glm::dvec3 across = glm::cross(p.normal, q.normal);
@@ -90,7 +90,7 @@ class CutLineFinder {
     if (planes_[a].blade == planes_[b].blade || (clip(line, a) && clip(line, b))) lines_.push_back(line);
   }
 
-  /// To the stretch in which the plane is a facet; false if nothing of the line is left.
+  /// Shortens the line to where the plane is a facet; false if nothing of it is left.
   bool clip(CutLine& line, int plane) const {
     const Stroke::Facet* facet = planes_.facet(plane);
     if (facet == nullptr) return true;
@@ -103,13 +103,13 @@ class CutLineFinder {
     return line.low < line.high && line.low < reach_ && line.high > -reach_;
   }
 
-  /// Up to rounding, on the stretch that both facets have in common.
+  /// True if the place lies, up to rounding, where both facets have the line in common.
   bool is_within(const CutLine& line, const glm::dvec3& place) const {
     const double along = glm::dot(line.direction, place - line.origin);
     return along >= line.low - planes_.tolerance && along <= line.high + planes_.tolerance;
   }
 
-  /// Points that lie on all planes of a line lie on it.
+  /// Takes the points that lie on all planes of a line.
   void take_points() {
     std::map<std::uint32_t, std::vector<std::size_t>> lines_of_set;
     for (std::uint32_t p = 0; p < mesh_.point.size(); ++p) {
@@ -131,7 +131,7 @@ class CutLineFinder {
     return found;
   }
 
-  /// The points where further planes pass through the line; each is made once for the lines that meet there.
+  /// Adds the points where further planes pass through the line; each is made once for all lines that meet there.
   void add_intersections(CutLine& line) {
     for (const int k : used_) {
       if (std::find(line.planes.begin(), line.planes.end(), k) != line.planes.end()) continue;
@@ -152,7 +152,7 @@ class CutLineFinder {
     }
   }
 
-  /// Of a stroke's facets, neighbours alone.
+  /// Whether the plane may meet the line: of a stroke's facets only neighbours do.
   bool may_meet(const CutLine& line, int plane) const {
     return std::all_of(line.planes.begin(), line.planes.end(),
                        [&](int k) { return planes_[k].blade != planes_[plane].blade || std::abs(k - plane) == 1; });
@@ -177,7 +177,7 @@ class CutLineFinder {
   std::map<std::uint32_t, std::uint32_t> intersection_;  // set of planes -> point
 };
 
-/// Halves what is too long; what waits lies behind on the stack.
+/// Halves stretches that are too long; further ones wait on a stack.
 std::vector<std::uint32_t> subdivided_points(const CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
                                              const SizeOnPlane& size) {
   std::vector<std::uint32_t> done{line.points.front()}, waiting(line.points.rbegin(), line.points.rend() - 1);

@@ -28,7 +28,7 @@ class CellFinder {
   }
 
  private:
-  /// By the sides that the patch lies on of all planes; of its own it has one on either side.
+  /// The cells on both sides of a patch, by its side of every other plane.
   std::array<std::uint32_t, 2> cells_beside(std::size_t patch) const {
     std::array<std::uint32_t, 2> cells{0, 0};
     int plane = 0;

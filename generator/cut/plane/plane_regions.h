@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// Of a plane or a stroke. A patch inside a body is section where it has different cells on its two sides.
+/// The regions of a plane or a stroke. A patch inside a body is section where it has different cells on its two sides.
 Regions plane_regions(const Face& face, const CutPlanes& planes, const DiffusionSurfaces& surfaces,
                       const Bodies& bodies);
 

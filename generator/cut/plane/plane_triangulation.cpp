@@ -20,7 +20,7 @@ namespace {
 
 using InexactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// Vertices know their number, -1 until they have one.
+/// The number of a vertex; -1 until it has one.
 struct VertexNumber {
   std::int64_t value = -1;
   bool steiner = false;  // made by conform()
@@ -55,7 +55,7 @@ struct PlaneTriangulation::Data {
   };
   std::vector<Kept> constraint;
 
-  /// Points that constraints made have no number yet: they get theirs in the order of the constraints.
+  /// Numbers the points that constraints have made, in the order of the constraints.
   void number_new_vertices() {
     for (const Kept& kept : constraint) {
       if (!kept.id.vl_ptr()) continue;
@@ -208,7 +208,7 @@ class Conformer {
     if (glm::distance(to_vec(a->point()), to_vec(b->point())) < 2 * shortest_) return;
     const PlanePoint middle = to_point(split_point(a, b));
 
-    // Rounding may have put it beyond a very thin neighbour: then leave the edge alone.
+    // Leave the edge alone where rounding has put the point beyond a very thin neighbour.
     const PlanePoint c = face->vertex(edge)->point(), d = mesh_.mirror_vertex(face, edge)->point();
     const PlanePoint from = face->vertex(Triangulation::ccw(edge))->point(),
                      to = face->vertex(Triangulation::cw(edge))->point();
@@ -221,7 +221,7 @@ class Conformer {
     queue(a, v);
     queue(v, b);
 
-    // All that changed lies around the new vertex.
+    // Only triangles around the new vertex have changed.
     auto around = mesh_.incident_faces(v), first = around;
     do {
       const int opposite = around->index(v);

@@ -16,7 +16,7 @@ namespace pomona {
 
 namespace {
 
-/// Corner numbers one and two on.
+/// The next corner, and the one after.
 constexpr std::array<std::size_t, 3> next{1, 2, 0}, after_next{2, 0, 1};
 
 class Splitter {
@@ -50,7 +50,7 @@ class Splitter {
   using Triangle = SplitMesh::Triangle;
 
   void take_input() {
-    // Vertices as they are, points where they lie: those at one place name the first.
+    // Keep vertices as they are; vertices at one place share the point of the first.
     const std::vector<std::uint32_t> welded = weld(surfaces_.position);
     mesh_.point_of = welded;
     mesh_.front_color = surfaces_.front_color;
@@ -64,7 +64,7 @@ class Splitter {
     find_flush();
     find_points_on_planes();
 
-    // Triangles that are more than a line.
+    // Take the triangles that are no mere lines.
     mesh_.triangle.reserve(surfaces_.triangle_count() * 5 / 4);
     for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
       const glm::uvec3& corner = surfaces_.triangle[t];
@@ -169,7 +169,7 @@ class Splitter {
     return glm::length(glm::cross(a, b)) <= 1e3 * flush_ * longest;
   }
 
-  /// Area-weighted, of the boundary triangles that meet at a point.
+  /// Finds normals at points: area-weighted means over the boundary triangles there.
   void find_normals() {
     std::vector<glm::dvec3> sum(mesh_.point.size(), glm::dvec3(0));
     for (const Triangle& t : mesh_.triangle) {
@@ -219,7 +219,7 @@ class Splitter {
 
   // ---- Strokes ----
 
-  /// Facet by facet. Which side a triangle then lies on, and which edges follow the stroke, is found at the end.
+  /// Splits by one facet after another. Sides of triangles, and edges that follow the stroke, are found at the end.
   void split_by_stroke(const CutPlanes::Blade& blade) {
     in_stroke_ = true;
     for (int i = 0; i < blade.count; ++i) split_by_facet(blade.first + i);
@@ -266,7 +266,7 @@ class Splitter {
   }
 
   void take_over_points(std::size_t index) {
-    // How many of its edges the plane passes through, and on how many the neighbours have put a point.
+    // Count the edges that the plane passes through, and those on which neighbours have put a point.
     const Triangle whole = mesh_.triangle[index];
     const std::array<int, 3> side = sides_of(whole);
     int crossed = 0, known = 0;
@@ -279,7 +279,7 @@ class Splitter {
       i = e;
     }
 
-    // With all of them it is split as its neighbours are; with one of two, from there to the corner across.
+    // With all of them it is split as its neighbours are; with one of two, from there to the opposite corner.
     if (known == 0) return;
     if (known == crossed) {
       split_triangle(index, side);
@@ -344,7 +344,7 @@ class Splitter {
     return {side(0), side(1), side(2)};
   }
 
-  /// The triangle lies on one side. `side` < 0: the negative one; 0: in the plane.
+  /// Notes that the triangle lies on one side. `side` < 0: the negative one; 0: in the plane.
   void see_side(Triangle& t, int side) {
     if (in_stroke_) return;
     const bool positive = side > 0 || (side == 0 && lies_with_positive_side(t));
@@ -354,13 +354,14 @@ class Splitter {
     for (std::size_t i = 0; i < 3; ++i) {
       const bool on_plane = side_[mesh_.point_of[t.vertex[i]]] == 0 && side_[mesh_.point_of[t.vertex[next[i]]]] == 0;
       if (!on_plane) continue;
-      // Sheets within bound nothing: along the axis they are seen by all faces that meet there.
+      // Inner sheets bound nothing: along the axis all faces that meet there see them.
       t.cut_by[i] = surfaces_.is_boundary(t.source) ? mesh_.sets.with_alone(t.cut_by[i], plane_)
                                                     : mesh_.sets.with(t.cut_by[i], plane_);
     }
   }
 
-  /// A triangle in the plane goes with the solid it bounds, so that no piece is a mere film; others are positive.
+  /// True if a triangle in the plane goes with the solid that it bounds on the positive side. So no piece is a mere
+  /// film. Inner triangles are positive.
   bool lies_with_positive_side(const Triangle& t) const {
     if (!surfaces_.is_boundary(t.source)) return true;
     const double front_up = glm::dot(area_vector(t), planes_[plane_].plane.normal);
@@ -368,7 +369,7 @@ class Splitter {
   }
 
   void split_triangle(std::size_t index, const std::array<int, 3>& side) {
-    // Turn it so that the corner that is alone on its side comes first - or, where one lies on the plane, that one.
+    // Turn it so that the corner alone on its side, or on the plane, comes first.
     const Triangle whole = mesh_.triangle[index];
     std::size_t first = 0;
     while (!(side[first] == 0 || (side[next[first]] == side[after_next[first]]))) ++first;
@@ -386,7 +387,7 @@ class Splitter {
       return;
     }
 
-    // The corner, and the four-sided rest in two along its shorter diagonal.
+    // Split it into the corner's triangle and two of the rest, along the shorter diagonal.
     const std::uint32_t p = vertex_between(a, b), q = vertex_between(a, c);
     replace(index, whole, {a, p, q}, {ab, 0, ca}, side[first]);
     const glm::dvec3 from_p = mesh_.place_of(c) - mesh_.place_of(p), from_q = mesh_.place_of(b) - mesh_.place_of(q);
@@ -433,7 +434,7 @@ class Splitter {
     const auto [point, is_new] = new_points_.try_emplace({p, q}, mesh_.point.size());
     if (!is_new) return point;
 
-    // The new point lies on this plane, and on those that both ends lie on.
+    // The new point lies on this plane, and on all planes that both ends lie on.
     const std::uint32_t set = mesh_.sets.with(mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]), shared_);
     mesh_.add_point(snapped_to_planes(glm::mix(mesh_.point[p], mesh_.point[q], t), mesh_.sets.planes_in(set), planes_),
                     set);

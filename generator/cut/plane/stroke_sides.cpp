@@ -20,14 +20,14 @@ StrokeSides::StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const C
 }
 
 std::vector<int> StrokeSides::of_triangles() const {
-  // By the farthest point of each.
+  // Each triangle's farthest point tells its side.
   std::vector<int> side;
   for (const Triangle& t : mesh_.triangle) {
     const double farthest = farthest_from(t);
     side.push_back(std::fabs(farthest) <= planes_.tolerance ? 0 : farthest > 0 ? 1 : -1);
   }
 
-  // Those that lie on the stroke and yet cut off a corner of it take their neighbours' side, until nothing changes.
+  // Triangles on the stroke that cut off a corner of it take their neighbours' side, until nothing changes.
   const TrianglesAtEdge across = triangles_across(side);
   const std::vector<EdgeKey> edges = across.edges();
   for (bool changed = !edges.empty(); changed;) {
@@ -37,7 +37,7 @@ std::vector<int> StrokeSides::of_triangles() const {
   return side;
 }
 
-/// The triangles at each edge that one without a side has along no facet.
+/// The triangles at each edge that follows no facet and belongs to a triangle without a side.
 StrokeSides::TrianglesAtEdge StrokeSides::triangles_across(const std::vector<int>& side) const {
   TrianglesAtEdge across;
   const auto for_each_edge = [&](std::size_t t, const auto& visit) {
@@ -59,7 +59,7 @@ StrokeSides::TrianglesAtEdge StrokeSides::triangles_across(const std::vector<int
   return across;
 }
 
-/// Gives the triangles at one edge that have no side the one that another of their surface has there.
+/// Gives triangles at one edge without a side the side of another triangle of their surface there.
 bool StrokeSides::take_side(const std::vector<std::size_t>& triangles, std::vector<int>& side) const {
   bool changed = false;
   for (const std::size_t t : triangles) {
@@ -74,8 +74,8 @@ bool StrokeSides::take_side(const std::vector<std::size_t>& triangles, std::vect
   return changed;
 }
 
-/// Of a triangle that the stroke does not cross. One with all corners on the stroke spans a bend of it: then its middle
-/// and those of its edges are asked.
+/// The largest distance from the stroke of a triangle that it does not cross. A triangle with all corners on the stroke
+/// spans a bend of it: then its middle and those of its edges count.
 double StrokeSides::farthest_from(const Triangle& t) const {
   double farthest = 0;
   const auto see = [&](double distance) {

@@ -25,7 +25,7 @@ class StrokeSides {
   /// The first facet that both points lie on, as a plane; or -1.
   int facet_with(std::uint32_t p, std::uint32_t q) const;
 
-  /// As a plane.
+  /// The nearest facet, as a plane.
   int facet_nearest_to(std::uint32_t point) const { return blade_.first + near_[point].facet; }
 
  private:

@@ -27,10 +27,10 @@ constexpr double shortest_share = 0.25;
 
 constexpr int max_rounds = 4;
 
-/// Lines need their sizes only roughly, and there may be many planes.
+/// Cells of the grid of sizes for lines, which need them only roughly; there may be many planes.
 constexpr int line_grid = 48;
 
-/// The lines in which planes meet, as fine as the finer of their planes wants them.
+/// The lines in which planes meet, as fine as the finer of their planes needs them.
 CutLines laid_out_lines(SplitMesh mesh, const CutPlanes& planes, const SegmentLists& segments,
                         const Box<double>& bounds, const SizeLimits& limits, Threads threads) {
   CutLines all = cut_lines(std::move(mesh), planes, segments, bounds);
@@ -65,7 +65,7 @@ SegmentLists by_blade(const CutPlanes& planes, const SegmentLists& segments) {
   return of_blade;
 }
 
-/// The blades' numbers, those with most segments first: so threads are kept busy to the end.
+/// The blades' numbers, those with most segments first, so that threads are busy to the end.
 std::vector<std::size_t> largest_first(const SegmentLists& of_blade) {
   std::vector<std::size_t> order(of_blade.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -83,7 +83,7 @@ std::vector<std::uint32_t> first_twins(std::size_t count, const std::vector<Twin
   return first;
 }
 
-/// What all blades add in one round.
+/// All that the blades add in one round.
 struct Round {
   std::vector<BladeFace::NewPoint> point;
   std::vector<Face> faces;
@@ -92,7 +92,7 @@ struct Round {
   Unshared unshared;
 };
 
-/// Gathered blade after blade: the new points' numbers, which go on from the mesh's `points`, do not depend on threads.
+/// Gathers blade after blade, so that the numbers of new points, which begin at `points`, do not depend on threads.
 Round finished(Builders builders, std::size_t points) {
   Round round;
   for (std::optional<BladeFaceBuilder>& builder : builders) {
@@ -121,7 +121,8 @@ PlaneFaces triangulate(SplitMesh mesh, const CutPlanes& planes, const std::vecto
   const SegmentLists of_blade = by_blade(planes, segments);
   const std::vector<std::size_t> order = largest_first(of_blade);
 
-  // The other planes do not know a new crossing on a line yet: then all start again. Once is nearly always enough.
+  // If a blade has found a new crossing on a line, the other planes do not know it: all start again. Once is nearly
+  // always enough.
   for (int number = 1;; ++number) {
     Builders builders(of_blade.size());
     parallel_for(builders.size(), options.threads, [&](std::size_t i) {

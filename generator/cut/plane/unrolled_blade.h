@@ -23,7 +23,7 @@ class UnrolledBlade {
   glm::dvec3 from_face(const glm::dvec2& point) const;
   const CutFace& frame(int facet) const { return frames_[static_cast<std::size_t>(facet)]; }
 
-  /// Smooth over creases that are none to the eye (crease.h): there the same to the bit for both facets.
+  /// The normal: smooth over small creases (crease.h), where it is the same to the bit for both facets.
   glm::vec3 normal_at(std::size_t facet, const glm::dvec2& point) const;
 
  private:

@@ -22,7 +22,8 @@ struct SideColors {
   std::int32_t part = 0;  // of the first
 };
 
-/// Fan by fan: the corners that meet at a vertex without a surface between them share one vertex of the section.
+/// Builds the part. A fan is the corners that meet at a vertex without a surface between them; it becomes one vertex of
+/// the section.
 class FacePartBuilder {
  public:
   FacePartBuilder(const Face& face, const Regions& regions, const SplitMesh& mesh, const DiffusionSurfaces& surfaces)
@@ -80,7 +81,7 @@ class FacePartBuilder {
 
   /// One vertex for every fan: with the sides' colours where it lies at a surface, else still to be diffused.
   void make_vertices() {
-    // What the surfaces along edges say of the fans at both ends.
+    // Collect what surfaces along edges say about the fans at both ends.
     std::vector<SideColors> sides(fans_.count());
     for (std::size_t t = 0; t < triangle_count(); ++t) {
       if (!regions_.is_section(t)) continue;
@@ -93,7 +94,7 @@ class FacePartBuilder {
       }
     }
 
-    // A vertex for each fan, in the order of the triangles: with the mean of its sides' colours, or none.
+    // Make a vertex for each fan, in the order of the triangles: with the mean of its sides' colours, or without one.
     vertex_of_fan_.assign(fans_.count(), unset);
     for (std::size_t t = 0; t < triangle_count(); ++t) {
       if (!regions_.is_section(t)) continue;
@@ -124,7 +125,7 @@ class FacePartBuilder {
 
   std::uint32_t vertex_of(std::size_t triangle, std::size_t i) { return vertex_of_fan_[fan_of(triangle, i)]; }
 
-  /// As often as it closes something.
+  /// Adds a triangle as often as it closes something.
   void add_triangle(std::size_t t) {
     const std::array<std::uint32_t, 3> points{place(corner(t, 0)), place(corner(t, 1)), place(corner(t, 2))};
     for (const Regions::Closing& closing : regions_.closed_by(t)) add_triangle(t, {points, closing});
@@ -139,7 +140,7 @@ class FacePartBuilder {
     part_.cap.push_back(std::move(cap));
   }
 
-  /// Every edge that follows a surface once per surface, with the vertices on one side of it.
+  /// Adds every edge that follows a surface, once per surface, with the vertices on one side of it.
   void add_segments() {
     for (std::size_t t = 0; t < triangle_count(); ++t) {
       if (!regions_.is_section(t)) continue;

@@ -36,7 +36,7 @@ class PatchFinder {
   void find_patches() {
     found_.patch_of.assign(triangle_count(), unset);
 
-    // Each triangle that no patch has yet begins one, which spreads over edges that are no constraint.
+    // Each triangle without a patch begins one, which spreads over edges that are no constraints.
     std::vector<std::uint32_t> stack;
     for (std::uint32_t seed = 0; seed < triangle_count(); ++seed) {
       if (found_.patch_of[seed] != unset) continue;
@@ -60,7 +60,7 @@ class PatchFinder {
     }
   }
 
-  /// A boundary closes if at every vertex as many of its segments end as begin.
+  /// Finds open bodies. A boundary is closed if at every vertex as many of its segments end as begin.
   void find_open_bodies() {
     struct End {
       std::int32_t body;
@@ -68,7 +68,7 @@ class PatchFinder {
       int balance;
     };
 
-    // Where segments of each body begin, and where they end.
+    // Collect where segments of each body begin and end.
     std::vector<End> ends;
     for (const EdgeUse& use : face_.edges) {
       const std::int32_t body = bodies_.of_triangle[face_.segment[use.segment].source];
@@ -97,9 +97,10 @@ class PatchFinder {
     return use.forward == front_visible;
   }
 
-  /// Joins the patches that an open body's boundary leaves together, and takes those it mostly shows its inside.
+  /// Fills patches with an open body: of the sets that its boundary does not separate, those that mostly see its
+  /// inside.
   void fill(std::int32_t body) {
-    // The connected parts around the boundary's ends, and those of them that reach the rim.
+    // Find the connected sets of patches, and those that reach the rim.
     const auto patches = static_cast<std::uint32_t>(found_.count());
     DisjointSets sets(patches);
     for (std::size_t t = 0; t < triangle_count(); ++t) {
@@ -122,8 +123,8 @@ class PatchFinder {
     }
   }
 
-  /// Per set of patches, by its root: the length of the body's visible less that of its hidden sides. Where both sides
-  /// of the boundary lie in the set they make up for each other, and are left out: rounding would decide.
+  /// For each set of patches, by its root: the length of the body's visible sides less that of its hidden sides. Where
+  /// both sides of the boundary lie in the set they cancel, and are left out, because rounding would decide.
   std::vector<double> visible_less_hidden(std::int32_t body, DisjointSets sets) const {
     std::vector<double> visible(found_.count(), 0);
     for (std::size_t t = 0; t < triangle_count(); ++t) {
@@ -139,7 +140,7 @@ class PatchFinder {
     return visible;
   }
 
-  /// Of how many of the body's segments along the edge the triangle lies inside, less those it lies outside of.
+  /// The number of the body's segments along the edge that have the triangle inside, less those that have it outside.
   int side_of_body(std::int32_t body, std::size_t triangle, std::size_t edge) const {
     if (!face_.constrained[triangle][edge]) return 0;
     const auto [p, q] = ends_of(triangle, edge);
@@ -154,7 +155,7 @@ class PatchFinder {
     return {face_.corner(triangle, edge), face_.corner(triangle, edge + 1)};
   }
 
-  /// From patch to patch, starting outside: a step across a boundary enters or leaves its body.
+  /// Walks from patch to patch, from outside; a step across a boundary enters or leaves its body.
   void find_windings() {
     // Patches at the rim of the triangulation lie outside everything.
     found_.inside.resize(found_.count());
@@ -191,7 +192,7 @@ class PatchFinder {
       const std::int32_t body = bodies_.of_triangle[face_.segment[use.segment].source];
       if (body == Bodies::none || found_.is_open(body)) continue;
 
-      // The triangle lies left of the way from p to q: inside, if that is the way the segment runs.
+      // The triangle lies left of the edge from p to q: inside, if the segment has that direction.
       change(inside, body, begins_low(use) == (p < q) ? -1 : 1);
     }
     return inside;

@@ -50,7 +50,7 @@ class PartJoiner {
     return mesh_.sets.planes_in(mesh_.planes_of[point]).size() > 1;
   }
 
-  /// As soon as one face is curved, of all triangles.
+  /// Adds normals, for all triangles as soon as one face is curved.
   void add_normals(const FacePart& part) {
     std::vector<std::array<glm::vec3, 3>>& normal = section_.mesh.normal;
     const auto is_curved = [](const CutFace& face) { return face.curved; };

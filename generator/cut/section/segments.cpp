@@ -15,7 +15,7 @@ std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, c
     auto key() const { return std::tie(low, high, surface, body); }
   };
 
-  // Edges in order: those that one surface of one body uses lie side by side, forward ones first.
+  // Sort uses of edges: by edge, body and surface, forward ones first.
   std::vector<Entry> entries;
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     const CutSegment& s = segments[i];
@@ -26,7 +26,7 @@ std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, c
     return std::tuple(a.key(), !a.forward, a.index) < std::tuple(b.key(), !b.forward, b.index);
   });
 
-  // Of each edge as many forward uses as backward ones go.
+  // Of each edge, cancel forward uses with backward ones.
   std::vector<std::uint8_t> keep(segments.size(), 1);
   for (std::size_t i = 0; i < entries.size();) {
     std::size_t forward = i, end;
@@ -39,7 +39,7 @@ std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, c
     i = end;
   }
 
-  // What is left keeps its order.
+  // Keep the order of the others.
   std::vector<CutSegment> kept;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (keep[i]) kept.push_back(segments[i]);

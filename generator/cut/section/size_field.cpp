@@ -18,10 +18,10 @@ glm::dvec2 closest_point(const glm::dvec2& p, const SizeSource& s) {
   return s.a + t * along;
 }
 
-/// Gaps below this many finest lengths are left alone: to resolve them costs more points than all the rest.
+/// Gaps below this many finest lengths get no points: they would cost more than all others together.
 constexpr double narrow_gap = 2.2;
 
-/// Gaps below this many finest lengths, and those that want edges longer than this share of them, get one row.
+/// Gaps below this many finest lengths, and those whose edges may be longer than this share of them, get one row.
 constexpr double single_row_gap = 4, single_row_share = 0.45;
 
 /// Points of such a row keep this share of the gap apart.
@@ -79,7 +79,7 @@ double SizeField::at(const glm::dvec2& p) const {
 }
 
 void SizeField::draw_sources() {
-  // Nothing is known of any cell.
+  // Begin with cells without sizes and sources.
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   size_.assign(cells, limits_.coarsest);
   gap_size_.assign(cells, limits_.coarsest);
@@ -140,7 +140,7 @@ void sweep(int width, int height, const Pull& pull) {
 
 }  // namespace
 
-/// Hands the nearest source on from cell to cell [Danielsson 1980].
+/// Passes the nearest source on from cell to cell [Danielsson 1980].
 void SizeField::find_nearest() {
   sweep(width_, height_, [&](int x, int y, std::size_t to, std::size_t from, bool) {
     if (nearest_[from] < 0 || nearest_[from] == nearest_[to]) return;
@@ -151,7 +151,7 @@ void SizeField::find_nearest() {
   });
 }
 
-/// Where two neighbouring cells look to different sources, they lie midway between these.
+/// Finds gaps: two neighbouring cells with different nearest sources lie midway between these.
 void SizeField::find_gaps() {
   const auto compare = [&](int x, int y, int other_x, int other_y) {
     const std::size_t i = index(x, y), j = index(other_x, other_y);
@@ -174,7 +174,7 @@ void SizeField::measure_gap(const glm::dvec2& center, std::size_t cell, const gl
   if (apart <= limits_.contrast) return;
   const double share = std::sqrt(limits_.contrast / apart);
 
-  // At a bend the colours are as far apart as the way to both.
+  // At a bend the distance of the colours is the way to both.
   const glm::dvec2 p = closest_point(center, here), q = closest_point(other_center, there);
   const double gap = std::max(glm::distance(p, q), distance_[cell] + distance_[other]);
   if (gap < narrow_gap * limits_.finest) return;
@@ -187,8 +187,8 @@ void SizeField::measure_gap(const glm::dvec2& center, std::size_t cell, const gl
   gap_size_[other] = std::min(gap_size_[other], size);
 }
 
-/// Lets sizes grow from cell to cell; those of gaps only within the gap. (Lines of cells that touch at corners bar the
-/// way from side to side.)
+/// Spreads sizes from cell to cell; those of gaps only within the gap. (Lines of cells that touch at corners separate
+/// its sides.)
 void SizeField::spread() {
   const double straight = limits_.grading * cell_, diagonal = std::sqrt(2.0) * straight;
   sweep(width_, height_, [&](int, int, std::size_t to, std::size_t from, bool is_beside) {
@@ -228,7 +228,7 @@ bool SizeField::is_clear_of_sources(const glm::dvec2& p, double size) const {
         const SizeSource& s = sources_[bucket_[k]];
         if (distance_to_segment(p, s) < clearance) return false;
 
-        // Lines cannot be divided any more: a point in the circle over one would spoil its being a Delaunay edge.
+        // Lines cannot be divided any more: an edge with a point in its circle may be no Delaunay edge.
         if (!s.has_color && glm::dot(p - s.a, p - s.b) < 0) return false;
       }
     }
@@ -261,7 +261,7 @@ std::vector<glm::dvec2> SizeField::samples() const {
     last[i] = static_cast<std::uint32_t>(accepted.size());
   };
 
-  // First the rows: midway between sources, so only where two gaps meet may another source be near.
+  // Rows come first. They lie midway between sources, so another source is near only where two gaps meet.
   for (const MidGap& m : mid_gap_) {
     if (distance_[index(column(m.place.x), row(m.place.y))] < 0.2 * m.size) continue;
     if (is_clear_of_accepted(m.place, m.size / 0.8)) accept(m.place);

@@ -14,7 +14,7 @@ namespace pomona {
 
 namespace {
 
-/// Both ends of segment i are crossings: number 2 i begins it, 2 i + 1 ends it.
+/// A crossing as an end of a segment: number 2 i begins segment i, 2 i + 1 ends it.
 struct CrossingUse {
   std::uint32_t low = 0, high = 0, facet = 0, number = 0;
   bool of_first = true;  ///< the edge is the first set's
@@ -85,7 +85,7 @@ class CrossingFinder {
     return std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.5;
   }
 
-  /// Each once, in order along its edge; then its point.
+  /// Finds each crossing once, in order along its edge, and then its point.
   void find_crossings() {
     std::vector<CrossingUse> uses;
     for (std::uint32_t i = 0; i < 2 * segment_.size(); ++i) uses.push_back(use_of(i));
@@ -119,7 +119,7 @@ class CrossingFinder {
 
   void put_in_order(std::vector<EdgeCrossing>& along, bool of_first) const {
     if (along.size() < 2) return;
-    constexpr double near = 1e-9;  // of the edge's length: nearer ones are told apart exactly
+    constexpr double near = 1e-9;  // of the edge's length: nearer crossings are compared exactly
     const auto order = [&](const EdgeCrossing& a, const EdgeCrossing& b) {
       if (std::fabs(a.share - b.share) > near) return a.share < b.share ? -1 : 1;
       const std::span<const BodyFacet> other = of_first ? second_ : first_;
@@ -129,7 +129,7 @@ class CrossingFinder {
       const int by = order(a, b);
       return by != 0 ? by < 0 : a.facet < b.facet;
     });
-    // At one place one enters and leaves by turns.
+    // Crossings at one place enter and leave by turns.
     for (std::size_t i = 0; i + 1 < along.size(); ++i) {
       if (order(along[i], along[i + 1]) != 0) continue;
       const bool wanted = i > 0 ? !along[i - 1].enters : i + 2 < along.size() ? along[i + 2].enters : true;

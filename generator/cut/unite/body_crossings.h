@@ -27,7 +27,7 @@ struct EdgeCrossing {
   std::uint32_t point = 0;          ///< number of the new point
 };
 
-/// What crosses the facets of one set.
+/// The crossings of one set's facets.
 struct CrossedSet {
   std::vector<std::uint32_t> crossed;  ///< facets with segments, ascending
   std::vector<CrossedFacet> facet;     ///< the same; each body that a segment is of is in the other set
@@ -38,7 +38,7 @@ struct BodyCrossings {
   CrossedSet first, second;
 };
 
-/// By the tie rule (carve/tie_rule.h), for which the second set is the knife: so nothing only touches.
+/// The crossings by the tie rule (carve/tie_rule.h), for which the second set is the knife: so nothing only touches.
 /// Adds the new points to `place`.
 BodyCrossings body_crossings(std::span<const BodyFacet> first, std::span<const BodyFacet> second,
                              std::vector<glm::dvec3>& place, Threads threads);

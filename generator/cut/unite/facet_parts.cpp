@@ -56,7 +56,7 @@ class FlatView {
   int u_ = 0, v_ = 1;
 };
 
-/// Cuts off one corner after another. It always ends with all triangles, be they as thin as rounding makes them.
+/// Cuts off one corner after another. It always ends with all triangles, however thin rounding makes them.
 class EarClipper {
  public:
   EarClipper(const FlatView& view, Polygon polygon) : left_(std::move(polygon)) {
@@ -83,7 +83,7 @@ class EarClipper {
 
   static double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) { return cross(b - a, c - a); }
 
-  /// The one with the shortest diagonal; where rounding leaves none, the one with the largest area.
+  /// The ear with the shortest diagonal; where rounding leaves none, the one with the largest area.
   std::size_t best_ear() const {
     std::size_t best = 0, largest = 0;
     double shortest = std::numeric_limits<double>::infinity(), max = -shortest;
@@ -103,7 +103,7 @@ class EarClipper {
     const std::size_t first = before(ear), last = after(ear);
     const glm::dvec2 &a = at_[first], &b = at_[ear], &c = at_[last];
     for (std::size_t i = 0; i < left_.size(); ++i) {
-      // A bridge leads through one point twice.
+      // A bridge passes one point twice.
       if (left_[i] == left_[first] || left_[i] == left_[ear] || left_[i] == left_[last]) continue;
       if (area(a, b, at_[i]) >= 0 && area(b, c, at_[i]) >= 0 && area(c, a, at_[i]) >= 0) return false;
     }
@@ -134,7 +134,7 @@ class FacetParter {
   }
 
  private:
-  /// Segments one after another, from one point of the border to another, or around and back.
+  /// Consecutive segments, from one point of the border to another, or a loop.
   struct Chain {
     Polygon point;
     std::int32_t body = 0;
@@ -153,7 +153,7 @@ class FacetParter {
       if (facet_.segment[s].from == point) return s;
     return std::nullopt;
   }
-  /// Chains from the border on, in its order; then those that close by themselves.
+  /// Takes chains that begin on the border, in its order; then loops.
   bool take_chains() {
     used_.assign(facet_.segment.size(), 0);
     for (std::size_t r = 0; r < ring_.size(); ++r) {
@@ -180,7 +180,7 @@ class FacetParter {
     return true;
   }
 
-  /// The border holds no point of a chain: it lies inside where the largest loop leaves that inside out.
+  /// Takes a border without a chain: it lies inside if the inside is outside of the largest loop.
   bool take_border_whole() {
     std::int32_t inside = FacetPart::outside;
     double max = 0;
@@ -194,7 +194,7 @@ class FacetParter {
     return true;
   }
 
-  /// Which way the border goes on behind a place: to the next start or end of a chain.
+  /// The next start or end of a chain on the border behind a place.
   std::size_t next_on_ring(std::size_t place, Polygon& border) const {
     for (std::size_t r = (place + 1) % ring_.size();; r = (r + 1) % ring_.size()) {
       if (role_[r] != 0 || r == place) return r;
@@ -202,7 +202,7 @@ class FacetParter {
     }
   }
 
-  /// Left of chains lies the inside, right of them the outside. Around the border starts and ends must take turns.
+  /// Walks around regions: the inside lies left of chains. Around the border starts and ends must alternate.
   bool walk_regions() {
     role_.assign(ring_.size(), 0);
     chain_at_.assign(ring_.size(), 0);
@@ -252,7 +252,7 @@ class FacetParter {
     return inside;
   }
 
-  /// Each loop is a region of its own, and a hole in the region around it, which a bridge leads to.
+  /// Makes each loop a region of its own, and a hole in the region around it, joined by a bridge.
   bool cut_out_loops() {
     const std::size_t around = regions_.size();
     for (std::size_t c = on_border_; c < chains_.size(); ++c) {
@@ -274,7 +274,7 @@ class FacetParter {
     return true;
   }
 
-  /// Over the shortest way that crosses nothing. \param hole clockwise.
+  /// Joins a hole by the shortest bridge that crosses nothing. \param hole clockwise.
   void bridge(Polygon& polygon, const Polygon& hole) const {
     struct Way {
       double square;
@@ -302,7 +302,7 @@ class FacetParter {
     polygon = std::move(joined);
   }
 
-  /// True if the way passes through an edge that it does not begin or end at.
+  /// True if the segment passes through an edge at which it neither begins nor ends.
   bool crosses(std::uint32_t from, std::uint32_t to, const Polygon& polygon) const {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const std::uint32_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];

@@ -1,4 +1,4 @@
-// One triangle, parted along the lines in which another body's boundary passes through it.
+// Divides one triangle along the lines in which another body's boundary passes through it.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// A triangle and what passes through it. All points are given by numbers.
+/// A triangle and the segments that cross it. All points are given by numbers.
 struct CrossedFacet {
   /// A segment in which another triangle crosses this one. Seen from the front, the inside of its body is left of it.
   struct Segment {

@@ -35,7 +35,7 @@ class LayerUniter {
   }
 
  private:
-  /// Of the second set those that are not refused.
+  /// Takes the bodies of the second set that are not refused.
   void take_second() {
     second_.clear();
     number_.clear();
@@ -68,8 +68,8 @@ class LayerUniter {
     return parts;
   }
 
-  /// In which body each facet lies that nothing crosses: what crosses edges tells it of their ends, and these of all
-  /// that edges connect. Of what nothing crosses at all, one facet is asked.
+  /// Finds the body in which each uncrossed facet lies. Crossings of edges tell it of their ends, and these of all
+  /// points that edges connect. Of parts without any crossing, one facet is tested.
   void label(std::span<const BodyFacet> facets, const CrossedSet& set, bool is_first, UnitedFacets& parts) {
     DisjointSets connected = connected_points(facets, set);
     std::vector<std::int32_t> inside(place_.size(), unknown);
@@ -97,7 +97,7 @@ class LayerUniter {
     }
   }
 
-  /// By edges that nothing crosses.
+  /// Sets of points connected by edges that nothing crosses.
   DisjointSets connected_points(std::span<const BodyFacet> facets, const CrossedSet& set) const {
     DisjointSets connected(place_.size());
     std::size_t next = 0;
@@ -110,7 +110,7 @@ class LayerUniter {
     return connected;
   }
 
-  /// What lies inside, of both sets, bounds the overlaps.
+  /// Refuses bodies with slight overlaps, whose boundary is what of both sets lies inside.
   void refuse_slight(const LayerUnion& all) {
     std::map<std::int32_t, double> overlap;  // six times the volume
     std::map<std::int32_t, glm::dvec3> origin;
@@ -132,7 +132,7 @@ class LayerUniter {
       if (volume < 6 * task_.least_overlap(body)) refused_.insert(body);
   }
 
-  /// Back to the numbers of the task; those that were refused lie outside.
+  /// The result in the numbers of the task; refused bodies lie outside.
   LayerUnion spread(LayerUnion all) const {
     UnitedFacets second{std::vector<std::vector<FacetPart>>(task_.second.size()),
                         std::vector<std::int32_t>(task_.second.size(), outside)};

@@ -1,4 +1,4 @@
-// The union of bodies that do not overlap each other with further ones that do not either.
+// The union of two sets of bodies; within each set none overlap.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace pomona {
 
-/// What is left of the facets of one set.
+/// The result for the facets of one set.
 struct UnitedFacets {
   std::vector<std::vector<FacetPart>> part;  ///< per facet: its parts; none if nothing crosses it
   std::vector<std::int32_t> inside;          ///< per facet that nothing crosses: the body it lies in, or outside
@@ -24,14 +24,14 @@ struct LayerUnion {
 struct LayerTask {
   std::span<const BodyFacet> first, second;
 
-  /// The body of the other set that a facet lies in, or outside; asked for facets that nothing crosses.
+  /// The body of the other set in which an uncrossed facet lies, or outside.
   std::function<std::int32_t(bool of_first, std::uint32_t facet)> body_around;
 
   /// Overlaps of a body of the second set that have less volume than this, cubic metres, only touch.
   std::function<double(std::int32_t body)> least_overlap;
 };
 
-/// A body of the second set that only touches, or that crosses what crosses itself, is left as it is.
+/// Bodies of the second set stay as they are if they only touch, or cross a body where it crosses itself.
 /// Adds new points to `place`.
 LayerUnion layer_union(const LayerTask& task, std::vector<glm::dvec3>& place, Threads threads);
 

@@ -31,7 +31,7 @@ struct Wall {
   std::uint32_t source = 0;                   ///< triangle of the surfaces
   bool is_whole = true;                       ///< all of that triangle
   bool is_inside = false;                     ///< of another body
-  bool is_parted = false;                     ///< its parts stand for it
+  bool is_parted = false;                     ///< its parts replace it
   std::int32_t also_of = FacetPart::outside;  ///< a body that stays apart, and ends here
 };
 
@@ -39,7 +39,7 @@ std::size_t index(std::int32_t body) { return static_cast<std::size_t>(body); }
 
 bool holds(const Box<double>& box, const glm::dvec3& p) { return box.meets({p, p}); }
 
-/// The closed bodies' boundaries, and which could meet.
+/// The boundaries of closed bodies, and which of them could meet.
 class BodyWalls {
  public:
   BodyWalls(const DiffusionSurfaces& surfaces, const Bodies& bodies) : surfaces_(surfaces), bodies_(bodies) {
@@ -73,7 +73,7 @@ class BodyWalls {
     return body != Bodies::none && bodies_.bodies[index(body)].closed && bodies_.bodies[index(body)].volume > 0;
   }
 
-  /// As triangles that differ from a line.
+  /// The boundaries' triangles, without those that are lines.
   std::vector<Wall> walls() const {
     const std::vector<std::uint32_t> first = weld(surfaces_.position);
     std::vector<Wall> all;
@@ -102,7 +102,7 @@ class BodyWindings {
     for (const Wall& wall : walls) walls_of_[index(wall.facet.body)].push_back(wall.facet.corner);
   }
 
-  /// \param body_moves by the tie rule it is the body that does, not the point.
+  /// \param body_moves by the tie rule the body moves, not the point.
   bool contains(std::int32_t body, const glm::dvec3& point, bool body_moves, const std::vector<glm::dvec3>& place) {
     const std::vector<WallCorners>& walls = walls_of_[index(body)];
     int sum = 0;
@@ -133,8 +133,8 @@ class BodyWindings {
   std::vector<std::optional<Enclosures>> columns_;
 };
 
-/// Layer after layer: the boxes of a layer's bodies lie apart from each other, so that each meets only bodies of
-/// earlier layers, which overlap no more.
+/// Unites layer after layer. The boxes of a layer's bodies lie apart, so that each body meets only bodies of earlier
+/// layers, which no longer overlap.
 class BodyUniter {
  public:
   BodyUniter(const BodyWalls& bodies, const Bodies& known, std::vector<glm::dvec3> place, const UniteOptions& options)
@@ -159,8 +159,8 @@ class BodyUniter {
   }
 
  private:
-  /// Which other bodies' boxes each triangle comes near, and the walls of each body that come near any. Triangles in a
-  /// row mostly lie side by side: one box around them tells of most bodies that none comes near.
+  /// Finds the bodies whose boxes each triangle is near, and the walls of each body that are near any. Consecutive
+  /// triangles are neighbours in most cases: one box around them excludes most bodies.
   void find_near() {
     near_wall_.resize(bodies_.count());
     near_begin_.reserve(wall_.size() + 1);
@@ -189,7 +189,7 @@ class BodyUniter {
     first_part_ = static_cast<std::uint32_t>(wall_.size());
   }
 
-  /// Of the wall that it is a part of.
+  /// The bodies near a wall, or near the wall of which it is a part.
   std::span<const std::int32_t> near(std::uint32_t wall) const {
     const std::uint32_t whole = wall < first_part_ ? wall : part_of_[wall - first_part_];
     return std::span(near_).subspan(near_begin_[whole], near_begin_[whole + 1] - near_begin_[whole]);
@@ -199,7 +199,7 @@ class BodyUniter {
     return std::find(options_.apart.begin(), options_.apart.end(), body) != options_.apart.end();
   }
 
-  /// Bodies of many triangles first; those that stay apart behind all others.
+  /// Puts bodies into layers, those with many triangles first; bodies that stay apart come last.
   void find_layers(bool apart) {
     std::vector<std::size_t> size(bodies_.count(), 0);
     for (const Wall& wall : wall_) ++size[index(wall.facet.body)];
@@ -223,7 +223,7 @@ class BodyUniter {
     return of_first ? layer_of_[index(body)] == layer_ : layer_of_[index(body)] < layer_;
   }
 
-  /// The walls of earlier bodies that come near one of this layer, or those of this layer that come near an earlier.
+  /// The walls of earlier bodies that are near a body of this layer, or the reverse.
   std::vector<std::uint32_t> concerned(bool of_first) const {
     std::vector<std::uint32_t> walls;
     for (std::size_t b = 0; b < bodies_.count(); ++b) {
@@ -284,7 +284,7 @@ class BodyUniter {
     }
   }
 
-  /// Of two bodies one of which stays apart, that one ends where it meets the other; else they become one.
+  /// Places a wall inside a body. Where one of two bodies stays apart, it ends there; else they become one.
   void place_inside(Wall& wall, std::int32_t body) {
     if (body == FacetPart::outside) return;
     changed_ = true;
@@ -313,7 +313,7 @@ class BodyUniter {
   bool changed_ = false;
 };
 
-/// The surfaces with walls parted and turned inner.
+/// Makes the surfaces, with walls divided or made inner ones.
 class SurfaceUniter {
   static constexpr std::uint32_t unset = 0xffffffffu;
 
@@ -348,7 +348,7 @@ class SurfaceUniter {
   }
 
  private:
-  /// The walls that are not parted, triangle by triangle.
+  /// Sorts the walls that are not divided by triangle.
   void sort_walls() {
     const std::vector<Wall>& walls = uniter_.walls();
     wall_begin_.assign(from_.triangle_count() + 1, 0);
@@ -383,7 +383,7 @@ class SurfaceUniter {
       add(wall.source, vertex, body);
   }
 
-  /// A vertex of the triangle, or one between two of its vertices, which its neighbour shares, or one within it.
+  /// The vertex at a point: one of the triangle, or one on an edge, which its neighbour shares, or one within it.
   std::uint32_t vertex_at(const Wall& wall, std::uint32_t point) {
     const glm::uvec3& v = from_.triangle[wall.source];
     const glm::dvec3& p = place_[point];
@@ -419,7 +419,7 @@ class SurfaceUniter {
 
   using Copies = std::vector<std::uint32_t>;  // by vertex
 
-  /// The same triangle with other sides hidden: of `inner_` none, of `ended_` those that were visible.
+  /// The triangle with other hidden sides: none in `inner_`, the visible ones in `ended_`.
   glm::uvec3 changed(glm::uvec3 triangle, Copies& copies) {
     for (int k = 0; k < 3; ++k) {
       if (copies.size() <= triangle[k]) copies.resize(to_.vertex_count(), unset);

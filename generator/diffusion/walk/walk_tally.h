@@ -22,7 +22,8 @@ class WalkTally {
   double hits() const { return hits_; }
   glm::dvec3 mean() const { return color_ / hits_; }
 
-  /// Of one batch's part in the mean, averaged over channels: the mean's variance times the number of batches.
+  /// The variance of one batch's part in the mean, averaged over channels: the mean's variance times the number of
+  /// batches.
   double variance_of_batch() const;
 
  private:

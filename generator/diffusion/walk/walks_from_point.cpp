@@ -123,7 +123,7 @@ class PointWalks {
 
   bool is_known() const { return half_[0].hits() > 0 && half_[1].hits() > 0 && variance() <= target_ * target_; }
 
-  /// Of the mean over both halves. Besides what the walks show, it holds what they may have missed: something that
+  /// The variance of the mean over both halves. It includes what the walks may have missed: something that
   /// one in twice their number meets.
   double variance() const {
     double sum = 0, hits = 0;

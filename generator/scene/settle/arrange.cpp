@@ -24,7 +24,7 @@ constexpr glm::dvec3 upwards(0, 1, 0);
 
 using Starts = std::vector<std::optional<StartPose>>;
 
-/// From the arrangement's own frame to the dish's.
+/// A place of the arrangement's frame in the dish's frame.
 glm::dvec3 in_dish(const PieceArrangement& how, double along, double across) {
   const double c = reproducible::cos(how.turn), s = reproducible::sin(how.turn);
   return {how.at.x + c * along + s * across, 0, how.at.y - s * along + c * across};

@@ -68,7 +68,7 @@ void weigh(PieceShape& shape, const WeldedMesh& mesh, const glm::dvec3& middle) 
   shape.inverse_inertia = glm::inverse(glm::dmat3(trace + min) - second);
 }
 
-/// By the parts inside, as far as they differ from the rest, of which the density counts as 1.
+/// Weighs by the parts inside, as far as their density differs from that of the rest, which counts as 1.
 void take_weight(PieceShape& shape, const RigidMass& weighed, double density) {
   shape.center = weighed.center;
   shape.mass = weighed.mass / density;

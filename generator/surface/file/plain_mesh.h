@@ -11,7 +11,7 @@
 
 namespace pomona {
 
-/// In units of its file. Corners run counter-clockwise seen from the front.
+/// A mesh in units of its file. Corners are counter-clockwise seen from the front.
 struct PlainMesh {
   std::vector<glm::dvec3> position;
   std::vector<Color> color;  ///< linear; one per vertex, or none

@@ -24,7 +24,7 @@ std::vector<Enclosures::Triangle> triangles_of(const std::vector<SweptGrid>& mes
   return triangles;
 }
 
-/// To the space in which the body is the unit ball, and back. The half axes are at right angles.
+/// Maps to the space in which the body is the unit ball, and back. The half axes are at right angles.
 class BallSpace {
  public:
   explicit BallSpace(const GrainBody& body)
@@ -37,7 +37,7 @@ class BallSpace {
     const glm::dvec3 p = place - body_.center;
     return {glm::dot(p, thickness_), glm::dot(p, length_), glm::dot(p, width_)};
   }
-  /// Of a difference.
+  /// Maps a difference back.
   glm::dvec3 from(const glm::dvec3& p) const {
     return body_.pose.thickness * p.x + body_.pose.length * p.y + body_.pose.width * p.z;
   }

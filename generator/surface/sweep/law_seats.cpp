@@ -57,7 +57,7 @@ class SeatTally {
   }
 
  private:
-  /// From one seat of the lattice to the next, per radius: then steps of both families are equally long.
+  /// The rise from one seat of the lattice to the next, per radius, at which steps of both families are equally long.
   double lattice_rise() const {
     const double low = beside_whole_turns(law_.low_pair * law_.divergence);
     const double high = beside_whole_turns(law_.high_pair * law_.divergence);

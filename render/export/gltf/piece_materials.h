@@ -34,7 +34,7 @@ class PieceMaterials {
   /// Its colours, and its maps if it has any.
   PieceTextures add_textures(const BakedSolid& baked);
 
-  /// As a PNG in the buffer, looked up trilinearly.
+  /// Adds a picture as PNG in the buffer, sampled trilinearly.
   int add_texture(const std::string& name, const Image& picture, PngValues values = PngValues::srgb);
 
  private:

@@ -15,11 +15,11 @@ Json add_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec
 /// The step of coded positions, metres: they are whole numbers of it, 16 bits each.
 double coded_step(const StyledMesh& mesh, const glm::vec3& pivot);
 
-/// As add_vertices(), coded: positions in whole steps, so that nodes scale the mesh; normals and tangents in 8 bits,
+/// Like add_vertices(), coded: positions in whole steps, so that nodes scale the mesh; normals and tangents in 8 bits,
 /// colours in 12, texture coordinates in 16.
 Json add_coded_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec3& pivot);
 
-/// As add_triangles(), coded.
+/// Like add_triangles(), coded.
 int add_coded_triangles(GltfDocument& document, const std::vector<glm::uvec3>& triangle, std::size_t vertices);
 
 /// Stores triangles, with 16 bits per index if that is enough for so many vertices. Returns the index of the accessor.

@@ -55,7 +55,7 @@ struct SimulatedWeld {
   double strength = 0;        ///< newtons
 };
 
-/// Up is +Z.
+/// Bodies in a frame with +Z up.
 struct SimulatedScene {
   std::vector<SimulatedKind> kinds;  ///< one a solid of the scene, without anything for solids without triangles
   std::vector<SimulatedBody> bodies;
@@ -69,7 +69,7 @@ SimulatedScene simulated_scene(const Scene& scene, const ExportOptions& options)
 /// Letters, digits and underscores in place of what names of models do not take.
 std::string plain_name(const std::string& name);
 
-/// With what XML takes for its own escaped.
+/// The text with characters of XML's own escaped.
 std::string xml_text(const std::string& text);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// A fruit and a closed knife in an arrangement, as carving has them.
+// A fruit and a closed knife, arranged as carving does it.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 namespace pomona::shapes {
 
 struct ArrangedShapes {
-  /// Corners at one place become one place, and edges common edges.
+  /// Corners at one place become one point, and their edges common edges.
   ArrangedShapes(const std::vector<Corners>& fruit_corners, const std::vector<Corners>& knife_corners);
 
   std::vector<Corners> fruit, knife;

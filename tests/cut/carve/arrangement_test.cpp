@@ -66,7 +66,7 @@ TEST(Arrangement, GivesBothFacetsThatMeetTheSamePlacesBetweenThem) {
   }
 }
 
-/// What was closed is closed after it has been split, by identity of places.
+/// Closed surfaces stay closed after the split, by identity of points.
 TEST(Arrangement, KeepsClosedSurfacesClosed) {
   std::size_t parts = 0;
   for (const shapes::FruitAndKnife& pair : shapes::fruits_and_knives()) {
@@ -109,7 +109,7 @@ TEST(Arrangement, CoversEveryFacetWithItsParts) {
   }
 }
 
-/// The ways in which two closed surfaces meet close: as many come to a place as leave it.
+/// The segments in which two closed surfaces intersect form loops: as many end at a point as begin there.
 TEST(Arrangement, ClosesTheWaysInWhichSurfacesMeet) {
   for (const shapes::FruitAndKnife& pair : shapes::fruits_and_knives()) {
     const ArrangedShapes shapes(pair.fruit, pair.knife);
@@ -122,8 +122,8 @@ TEST(Arrangement, ClosesTheWaysInWhichSurfacesMeet) {
   }
 }
 
-/// Seen from outside the knife, the front of the fruit's triangle lies left of the way: it runs along the product of
-/// their normals.
+/// Seen from outside the knife, the front of the fruit's triangle lies left of the segment: its direction is that of
+/// the cross product of the normals.
 TEST(Arrangement, DirectsSegmentsByTheFrontsOfTheirFacets) {
   for (const shapes::FruitAndKnife& pair : shapes::fruits_and_knives()) {
     const ArrangedShapes shapes(pair.fruit, pair.knife);
@@ -132,13 +132,13 @@ TEST(Arrangement, DirectsSegmentsByTheFrontsOfTheirFacets) {
       const glm::dvec3 way = shapes.places.at(s.to) - shapes.places.at(s.from);
       const glm::dvec3 along = glm::cross(area_of(shapes.all.facet[s.fruit].corner, shapes.places),
                                           area_of(shapes.all.facet[s.knife].corner, shapes.places));
-      if (along == glm::dvec3(0)) continue;  // in one plane: the tie rule alone has a way there
+      if (along == glm::dvec3(0)) continue;  // in one plane only the tie rule gives a direction
       EXPECT_GT(glm::dot(way, along), 0);
     }
   }
 }
 
-/// From one end of an edge to the other, crossings change how often the other surface winds around the place.
+/// From one end of an edge to the other, crossings change the winding number of the other surface.
 TEST(Arrangement, CountsWhatEdgesCross) {
   std::size_t crossings = 0;
   for (const shapes::FruitAndKnife& pair : shapes::fruits_and_knives()) {

@@ -40,7 +40,7 @@ TEST(Carve, TakesABallOutOfABall) {
   expect_whole(result, whole);
   EXPECT_TRUE(result.warnings.empty());
   EXPECT_GT(result.pieces[0].volume, result.pieces[1].volume) << "what is left comes first";
-  // The lens two balls have in common.
+  // The lens that two balls have in common.
   const double d = std::sqrt(0.05 * 0.05 + 0.003 * 0.003 + 0.002 * 0.002), R = 0.05, r = 0.02;
   const double lens =
       pi * (R + r - d) * (R + r - d) * (d * d + 2 * d * r - 3 * r * r + 2 * d * R + 6 * r * R - 3 * R * R) / (12 * d);
@@ -83,8 +83,8 @@ TEST(Carve, GoesWithPlanesBeforeAndAfter) {
   }
 }
 
-/// Edges along an axis, corners in the knife's own planes: where ties decide, no piece may come out inside out, and
-/// what is the same on both sides must be the same.
+/// Edges along an axis, corners in the knife's planes: where ties decide, no piece may be inside out, and both sides
+/// must agree.
 TEST(Carve, PartsABoxWhoseEdgesLieInTheKnives) {
   const DiffusionSurfaces box = shapes::box({-0.015, -0.015, -0.015}, {0.015, 0.015, 0.015}, 2, shapes::skin_paint());
   for (const char* ball :
@@ -127,7 +127,7 @@ TEST(Carve, CutsGrainsSheetsAndChambers) {
   expect_whole(result, whole);
 }
 
-/// What is meant to be diffused once is there once, and other vertices at a place have a surface's colour.
+/// A vertex to be diffused exists once; other vertices at its place have a surface's colour.
 TEST(Carve, FacesShareTheVerticesWhereTheyMeet) {
   const DiffusionSurfaces fruit = shapes::sphere(0.05, 6, shapes::skin_paint());
   const Cut result =

@@ -28,17 +28,17 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// How far the knife stands off where it touches the fruit, metres along x, y and z: less than triangles are wide.
+/// The distance of the knife where it touches the fruit, metres along x, y and z: less than the width of triangles.
 const glm::dvec3 step(1e-9, 1e-11, 1e-13);
 
-/// Remembers what every stage of a cut made.
+/// Keeps the results of all stages of a cut.
 class CuttingsSeen : public CutObserver {
  public:
   void sees(const CutPlanes& /*planes*/, const Cutting& cutting) override { all.push_back(cutting); }
   std::vector<Cutting> all;
 };
 
-/// Coarse, so that there are few triangles to ask.
+/// Coarse, so that there are few triangles to test.
 const CutOptions coarse{.coarsest = 0.2, .finest = 0.1, .threads = {1}};
 
 CutPlanes planes_before(const CarvingCase& of) {
@@ -46,7 +46,7 @@ CutPlanes planes_before(const CarvingCase& of) {
   return cut_planes(knives, bounds_of(of.surfaces));
 }
 
-/// The fruit that a closed knife finds: what the knives before have left, points at one place joined.
+/// The fruit before a closed knife: the result of the earlier knives, with points of equal position joined.
 CutFruit fruit_before(const CarvingCase& of) {
   std::vector<Knife> knives = of.before;
   knives.push_back(solid_knife(of.knife));
@@ -157,7 +157,7 @@ CarvingStages::CarvingStages(const CarvingCase& of)
 }
 
 void CarvingStages::arrange() {
-  // The fruit's triangles by its points, but for those that are closed to a line.
+  // The fruit's triangles by its points, without collapsed ones.
   std::vector<PlaceTriangle> of_fruit, of_knife;
   const auto take = [&](const PlaceTriangle& t, std::uint32_t number, std::vector<std::uint32_t>& numbers) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
@@ -171,7 +171,7 @@ void CarvingStages::arrange() {
   }
   for (std::uint32_t t = 0; t < fruit.section.cap.size(); ++t) take(fruit.section.cap[t].point, t, cap);
 
-  // Places have the numbers of the fruit's points; the knife's come after these.
+  // The fruit's points keep their numbers; the knife's follow.
   std::vector<std::uint8_t> known(fruit.mesh.point.size(), 0);
   for (const PlaceTriangle& t : of_fruit) {
     for (const std::uint32_t p : t) known[p] = 1;
@@ -231,7 +231,7 @@ glm::dvec3 CarvingStages::middle(std::size_t triangle) const {
   return (face.place[t.x] + face.place[t.y] + face.place[t.z]) / 3.0;
 }
 
-/// Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983.
+/// By solid angles [Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983].
 int winding_around(std::span<const Corners> triangles, const glm::dvec3& place) {
   double angle = 0;
   for (const Corners& t : triangles) {

@@ -1,5 +1,5 @@
-// A fruit and a closed knife with all that carving makes of them on its way, step by step; and what lies where, worked
-// out once more by solid angles.
+// A fruit and a closed knife with the results of all steps of carving; and where things lie, computed independently by
+// solid angles.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace pomona::shapes {
 
-/// Colours on the fronts and backs of all surfaces of a CarvingCase change evenly from place to place.
+/// The colour on the front of all surfaces of a CarvingCase: a linear function of place, as the one on the back is.
 Color front_color_at(const glm::dvec3& place);
 Color back_color_at(const glm::dvec3& place);
 
@@ -32,7 +32,7 @@ struct CarvingCase {
 /// fruit.
 std::vector<CarvingCase> carving_cases();
 
-/// The case that is called so.
+/// The case with this name.
 CarvingCase carving_case(const std::string& name);
 
 class CarvingStages {
@@ -46,19 +46,19 @@ class CarvingStages {
   std::vector<std::uint32_t> surface, cap;  ///< triangles of the fruit and of its section in the arrangement
   ExactPoints places;
   Arrangement all;
-  std::vector<std::vector<int>> winding;  ///< of the knife, per facet, per part
+  std::vector<std::vector<int>> winding;  ///< of the knife, for each part of each facet
   SplitFruit split;
   Face face;
   int first_calls = 0;  ///< how often regions() has asked what is known of a triangle of the knife
 
-  /// Of the face. What it must be told of one triangle is inside_at() the triangle's middle.
+  /// The regions of the face. They begin with inside_at() of one triangle's middle.
   Regions regions();
 
-  /// How often bodies wind around a place on the knife, in the cell that it lies in without the knife at work. As if
-  /// the knife had moved by a small step, where it only touches the fruit.
+  /// The winding numbers of bodies at a place on the knife, in its cell without the present knife. Where the knife only
+  /// touches the fruit, as if it had moved by a small step.
   std::vector<CellBoundary> inside_at(const glm::dvec3& place) const;
 
-  /// How often the knife winds around a place of the fruit, as if it had moved by that step.
+  /// The winding number of the knife at a place of the fruit, as if it had moved by that step.
   int winding_of_knife_at(const glm::dvec3& place) const;
 
   /// The middle of a triangle of the face.
@@ -73,13 +73,13 @@ class CarvingStages {
   std::vector<std::vector<Corners>> body_;  // the boundary of each, turned to air
 };
 
-/// How often closed surfaces wind around a place that does not lie on them, by solid angles.
+/// The winding number of closed surfaces at a place that does not lie on them, by solid angles.
 int winding_around(std::span<const Corners> triangles, const glm::dvec3& place);
 
 /// Half the product of two edges: the area, along the normal.
 glm::dvec3 area_of(const Corners& triangle);
 
-/// True where rounding has closed a triangle to a line: then it has no front.
+/// True where rounding has made a line of a triangle: then it has no front.
 bool is_collapsed(const Corners& triangle);
 
 }  // namespace pomona::shapes

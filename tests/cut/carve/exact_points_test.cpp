@@ -33,7 +33,7 @@ std::set<Way> edges_of(const FacetMesh& mesh) {
   return ways;
 }
 
-/// All triangles look where the facet looks, meet edge to edge, and end at its border; chains run along their edges.
+/// All triangles face as the facet does, meet edge to edge, and end at its border; chains follow their edges.
 void expect_cover(const PatchedFacet& facet, const FacetMesh& mesh, const ExactPoints& places) {
   const auto [a, b, c] = facet.corner;
   const glm::dvec3 normal = glm::cross(places.at(b) - places.at(a), places.at(c) - places.at(a));
@@ -55,7 +55,7 @@ void expect_cover(const PatchedFacet& facet, const FacetMesh& mesh, const ExactP
   for (const Way& way : ways) EXPECT_NE(ways.contains({way.second, way.first}), border.contains(way));
 }
 
-/// A triangle in the plane x + y + z = 16, as first places.
+/// A triangle in the plane x + y + z = 16, whose corners are the first points.
 PatchedFacet large_facet(ExactPoints& places) {
   return {{places.number_of({16, 0, 0}), places.number_of({0, 16, 0}), places.number_of({0, 0, 16})}, {}, {}};
 }
@@ -86,7 +86,7 @@ TEST(ExactPoints, FindsWhatWasAppendedWithAZeroOfTheOtherSign) {
 }
 
 TEST(ExactPoints, MeetsAtOnePlaceByManyWays) {
-  // The way up from (1, 1) through a plane that rises by a third per step: 1/3 and 2/3 have no doubles.
+  // A vertical line through (1, 1) meets a plane that rises by a third per step: 1/3 and 2/3 are no doubles.
   ExactPoints places;
   const std::uint32_t p = places.number_of({1, 1, 0}), q = places.number_of({1, 1, 2}),
                       far = places.number_of({1, 1, 7});
@@ -98,9 +98,9 @@ TEST(ExactPoints, MeetsAtOnePlaceByManyWays) {
   EXPECT_EQ(places.intersection(q, p, {a, b, c}), there);
   EXPECT_EQ(places.intersection(p, far, {c, a, b}), there);
   EXPECT_EQ(places.intersection(far, q, {d, c, b}), there) << "the line counts, and the plane";
-  // Across, the same place.
+  // A line across gives the same point.
   EXPECT_EQ(places.intersection(places.number_of({0, 0, 0}), d, {p, q, places.number_of({5, -3, 0})}), there);
-  // A double next to it is another place, though it rounds to the same.
+  // A double next to it is another point, though it rounds to the same.
   const std::uint32_t rounded = places.number_of({1, 1, 2.0 / 3});
   EXPECT_NE(rounded, there);
   EXPECT_EQ(places.at(rounded), places.at(there));
@@ -142,7 +142,7 @@ TEST(ExactPoints, NamesACrossingOfSegments) {
   EXPECT_THAT(mesh.chain[4], ElementsAre(north, crossing, south));
   EXPECT_EQ(places.at(crossing), glm::dvec3(6, 6, 4));
   EXPECT_EQ(places.number_of({6, 6, 4}), crossing);
-  // Edges know of what lies on them, in their own direction: from x to y, from y to z, from z to x.
+  // Edges list the points on them, in their direction: from x to y, from y to z, from z to x.
   EXPECT_THAT(mesh.chain[0], ElementsAre(facet.corner[0], east, facet.corner[1]));
   EXPECT_THAT(mesh.chain[1], ElementsAre(facet.corner[1], north, facet.corner[2]));
   EXPECT_THAT(mesh.chain[2], ElementsAre(facet.corner[2], west, south, facet.corner[0]));
@@ -179,7 +179,7 @@ TEST(ExactPoints, GivesEachOfTwoOppositeSegmentsItsOwnDirection) {
 }
 
 TEST(ExactPoints, CoversFacetsFullOfSegments) {
-  // A fan from the middle of one edge and another from a corner, which cross each other at places with no doubles.
+  // A fan from the middle of one edge and one from a corner, which cross at points that are no doubles.
   ExactPoints places;
   PatchedFacet facet = large_facet(places);
   const std::uint32_t middle = places.number_of({8, 8, 0});
@@ -191,7 +191,7 @@ TEST(ExactPoints, CoversFacetsFullOfSegments) {
   EXPECT_LT(glm::distance(area_of(mesh, places), glm::dvec3(256)), 1e-10);
   EXPECT_EQ(mesh.triangle, places.triangulated(facet).triangle) << "crossings are found again";
 
-  // Whatever crosses shares a place, and only that: Euler's formula of a disc.
+  // Segments that cross share a point, and nothing else does: Euler's formula of a disc.
   std::set<std::uint32_t> vertices;
   const std::set<Way> ways = edges_of(mesh);
   std::size_t inner = 0;
@@ -205,7 +205,7 @@ TEST(ExactPoints, CoversFacetsFullOfSegments) {
 }
 
 TEST(ExactPoints, GivesTheSameCrossingToBothFacetsThatShareIt) {
-  // The same two segments in a facet and in a larger one of the same plane, turned the other way.
+  // The same two segments in a facet and in a larger one of the same plane with the opposite orientation.
   ExactPoints places;
   PatchedFacet facet = large_facet(places);
   facet.segments = {{places.number_of({8, 0, 8}), places.number_of({3, 13, 0})},

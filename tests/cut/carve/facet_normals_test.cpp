@@ -40,7 +40,7 @@ TEST(FacetNormals, AShareOfTheWayIsAtMostOne) {
   EXPECT_EQ(share_between({0, 0, 0}, {0, 4, 0}, {0, 5, 0}), 1);
 }
 
-/// Two triangles at the edge from place 0 to place 1, which has place 4 on it; place 5 lies within the first.
+/// Two triangles at the edge from point 0 to point 1, which has point 4 on it; point 5 lies within the first.
 struct TwoFacets {
   std::vector<glm::dvec3> points = {corner[0], corner[1], corner[2], {0.6, -1, 0.2}, {}, {}};
   Arrangement::Facet first, second;
@@ -60,7 +60,7 @@ TEST(FacetNormals, AgreeAlongACommonEdgeToTheBit) {
   const glm::dvec3 a = glm::normalize(glm::dvec3(1, 2, 3)), b = glm::normalize(glm::dvec3(3, -1, 2));
   const glm::vec3 by_first = normal_at(4, two.first, {a, b, {0, 0, 1}}, two.points);
   EXPECT_EQ(by_first, normal_at(4, two.second, {glm::dvec3(1, 0, 0), b, a}, two.points));
-  // Where normals nearly cancel, the last bits of the share show.
+  // Where normals nearly cancel, the last bits of the share matter.
   const glm::dvec3 east(1, 0, 0), west(-1, 1e-12, 0);
   TwoFacets halved = two;
   halved.points[4] = 0.5 * (corner[0] + corner[1]);

@@ -32,7 +32,7 @@ bool passes(const WidePoint& p, const WidePoint& q, const WideTriangle& t) {
   return sign_of_volume(p, q, t[1], t[2]) == first && sign_of_volume(p, q, t[2], t[0]) == first;
 }
 
-/// How many of the six edges of two triangles pass through the other: two, where they meet.
+/// The number of the six edges of two triangles that pass through the other triangle: two, if these intersect.
 int passing_edges(const WideTriangle& a, const WideTriangle& b) {
   int count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -70,21 +70,21 @@ TEST(Intersections, AreThoseOfAKnifeThatHasMoved) {
 }
 
 TEST(Intersections, RunWithTheFrontOfTheFruitOnTheirLeft) {
-  // In the plane of x and z, and the one of x and y; seen from outside the knife, +y, the fruit's front is at -z.
+  // In the planes of x and z, and of x and y; seen from outside the knife, from +y, the fruit's front is at -z.
   const std::vector<Corners> fruit = {{{{0, -1, 0}, {0, 1, 0}, {4, 0, 0}}}};
   ASSERT_LT(glm::cross(fruit[0][1] - fruit[0][0], fruit[0][2] - fruit[0][0]).z, 0);
   const std::vector<Corners> knife = {{{{1, 0, -1}, {1, 0, 1}, {5, 0, 0}}}};
   ASSERT_GT(glm::cross(knife[0][1] - knife[0][0], knife[0][2] - knife[0][0]).y, 0);
   const std::vector<Intersection> found = intersections(fruit, knife);
   ASSERT_EQ(found.size(), 1u);
-  // Who looks down with -z on his left goes to +x: from the knife's edge at x = 1, the way to the fruit's tip at 4.
+  // Seen from above with -z on the left, the direction is +x: from the knife's edge at x = 1 to the fruit's tip at 4.
   EXPECT_FALSE(found[0].from.of_fruit);
   EXPECT_EQ(found[0].from.edge, 0);
   EXPECT_TRUE(found[0].to.of_fruit);
 }
 
-/// An edge that passes through a triangle does so for both triangles at it: a meeting of the one ends where one of the
-/// other begins. So on closed surfaces meetings form closed ways.
+/// An edge that passes through a triangle does so for both triangles at it: an intersection of the one ends where one
+/// of the other begins. So intersections of closed surfaces form loops.
 TEST(Intersections, GoOnFromTriangleToTriangle) {
   using End = std::tuple<bool, std::array<double, 6>, std::uint32_t>;  // kind of edge, its ends, the triangle it passes
   for (const shapes::FruitAndKnife& pair : shapes::fruits_and_knives()) {

@@ -25,7 +25,7 @@ struct Uncharted {
   Regions regions;
 };
 
-/// The knife by itself, of which `is_section` tells by the middle of a triangle.
+/// A knife without a fruit; `is_section` says by a triangle's middle whether it is section.
 template <typename IsSection>
 Uncharted uncharted(const ClosedSurface& solid, const IsSection& is_section) {
   const KnifeMesh mesh = knife_mesh(solid, "knife");
@@ -56,7 +56,7 @@ ClosedSurface ring() {
   return solid;
 }
 
-/// Knives by themselves, whole and halved by a plane, and those of all carvings.
+/// Knives without a fruit, whole and halved by a plane, and those of all carvings.
 std::vector<Uncharted> uncharted_faces() {
   std::vector<Uncharted> all;
   for (const ClosedSurface& solid :
@@ -80,7 +80,7 @@ Corners corners_of(const Face& face, std::size_t triangle) {
 
 glm::dvec3 area_of(const Face& face, std::size_t triangle) { return shapes::area_of(corners_of(face, triangle)); }
 
-/// Chart by chart, the triangles of the section.
+/// The triangles of the section in each chart.
 std::vector<std::vector<std::size_t>> charts_of(const Face& face, const Regions& regions) {
   std::vector<std::vector<std::size_t>> charts(face.frame.size());
   for (std::size_t t = 0; t < face.triangle.size(); ++t) {
@@ -182,7 +182,7 @@ TEST(KnifeCharts, OfABlockAreItsSixFlatFaces) {
   }
   EXPECT_EQ(seen.size(), 6u);
 
-  // Turned, its normals are rounded, and its faces as flat as before.
+  // In a turned block normals are rounded, and faces as flat as before.
   const Uncharted turned = uncharted(shapes::tilted(shapes::block(low, high)));
   const Face turned_face = charted(turned.face, turned.regions, 0);
   EXPECT_EQ(turned_face.frame.size(), 6u);

@@ -63,7 +63,7 @@ TEST(KnifeFace, HasEveryPlaceOnceAndWhereTheMeshHasIt) {
   }
 }
 
-/// True if `second` has `first` for its neighbour across the edge that `first` has on that side, and runs it back.
+/// True if `second` is the neighbour of `first` across that edge of it, and uses the edge in the opposite direction.
 bool is_met_by(const Face& face, std::uint32_t first, std::size_t side, std::uint32_t second) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (face.corner(second, i) == face.corner(first, side + 1) &&
@@ -92,8 +92,8 @@ TEST(KnifeFace, NeighborsAreMutualAndRunTheirEdgeTheOtherWay) {
   }
 }
 
-/// At the edge that two blocks have in common four triangles meet. In whichever order these come, two that run it the
-/// same way are no neighbours.
+/// At the common edge of two blocks four triangles meet. Whatever their order, two that use it in the same direction
+/// are no neighbours.
 TEST(KnifeFace, PairsTheFourTrianglesAtAnEdgeOfTwoSolids) {
   CarvingCase of = shapes::carving_case("bowl");
   ClosedSurface both = shapes::block({0.01, 0.002, -0.02}, {0.03, 0.02, 0.02});
@@ -116,7 +116,7 @@ TEST(KnifeFace, PairsTheFourTrianglesAtAnEdgeOfTwoSolids) {
   }
 }
 
-/// The ways of all traces by places of the arrangement, from low to high.
+/// The edges of all traces by points of the arrangement, from low to high.
 std::set<Way> traced(const KnifeTraces& traces) {
   std::set<Way> ways;
   for (const CutSegment& s : traces.segments) ways.insert(std::minmax(s.from, s.to));
@@ -145,7 +145,8 @@ TEST(KnifeFace, IsConstrainedAlongTracesAndNowhereElse) {
   EXPECT_GT(constrained, 400u);
 }
 
-/// Where surfaces pass through the knife its triangles change bodies or cells; so what no constraint parts is one.
+/// Triangles of the knife change bodies or cells only where surfaces pass through it: so what no constraint separates
+/// lies in the same.
 TEST(KnifeFace, PartsWhatLiesInDifferentBodiesByConstraints) {
   std::size_t parted = 0;
   for (const CarvingCase& of : shapes::carving_cases()) {
@@ -188,7 +189,7 @@ TEST(KnifeFace, UsesEverySegmentOnceInItsDirection) {
 }
 
 TEST(KnifeFace, IsShadedAsTheKnifeIs) {
-  // A ball's normals lead away from its middle, up to what is lost between corners.
+  // A ball's normals point away from its middle, up to the error between corners.
   const CarvingStages bowl(shapes::carving_case("bowl"));
   for (std::size_t t = 0; t < bowl.face.triangle.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -198,7 +199,7 @@ TEST(KnifeFace, IsShadedAsTheKnifeIs) {
     }
   }
 
-  // Those of a block are its faces'.
+  // Normals of a block are those of its faces.
   const CarvingStages flat(shapes::carving_case("quarters"));
   for (std::size_t t = 0; t < flat.face.triangle.size(); ++t) {
     for (const glm::vec3& n : flat.face.normal[t])

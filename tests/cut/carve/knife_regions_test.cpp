@@ -46,7 +46,7 @@ double area_of(const Face& face, std::size_t triangle) {
   return glm::length(shapes::area_of({face.place[t.x], face.place[t.y], face.place[t.z]}));
 }
 
-/// What going over the knife's surface counts, solid angles see at every triangle's middle.
+/// The walk over the knife's surface counts what solid angles give at every triangle's middle.
 TEST(KnifeRegions, AreWhatWindsAroundTheMiddlesOfTheirTriangles) {
   std::map<Filling, double> area;
   for (const CarvingCase& of : shapes::carving_cases()) {
@@ -85,7 +85,7 @@ TEST(KnifeRegions, AskOnceForEachPartOfAKnife) {
   }
 }
 
-/// It may be told of any triangle of the same part.
+/// The walk may begin at any triangle of a part.
 TEST(KnifeRegions, AreTheSameWhereverTheyBegin) {
   const CarvingStages stages(shapes::carving_case("tube"));
   const auto fillings_from = [&](std::uint32_t first) {
@@ -120,8 +120,8 @@ CarvingCase with_hole(CarvingCase of, std::size_t triangle) {
   return of;
 }
 
-/// The boundary of an open body parts the knife's surface, or ends on it: what it does not part from the outside is not
-/// filled, whatever rounding makes of lengths.
+/// The boundary of an open body divides the knife's surface, or ends on it: what it does not separate from the outside
+/// is not filled, whatever rounding does to lengths.
 TEST(KnifeRegions, FillOpenBodiesWhereTheirBoundaryCloses) {
   int closed = 0, open = 0;
   for (int step = 0; step < 4; ++step) {
@@ -143,8 +143,8 @@ TEST(KnifeRegions, FillOpenBodiesWhereTheirBoundaryCloses) {
   EXPECT_GT(open, 10);
 }
 
-/// A ring goes through the knife's surface twice: a hole beside one of its two boundaries leaves the other closed, and
-/// what that one bounds is filled though the body is open.
+/// A ring passes through the knife's surface twice: a hole beside one of its two boundaries leaves the other closed,
+/// and what the closed one bounds is filled, although the body is open.
 TEST(KnifeRegions, FillOpenBodiesAsFarAsTheyAreClosed) {
   const CarvingCase of{"ring", shapes::torus(0.03, 0.01, 12, 8), {}, shapes::ball({0.0303, 0.0007, 0.0011}, 0.018, 3)};
   const CarvingStages whole(of);
@@ -185,7 +185,7 @@ TEST(Cross, TakesBackWhatItAdded) {
     EXPECT_EQ(found, listed);
   };
 
-  // Boundaries of three cells and three bodies, crossed either way.
+  // Cross boundaries of three cells and three bodies in both directions.
   for (std::uint64_t n = 0; n < 200; ++n) {
     const auto draw = [&](std::uint64_t k) { return static_cast<int>(3 * random.uniform(8 * n + k)); };
     const std::vector<CellBoundary> boundary{{static_cast<std::uint32_t>(draw(0)), draw(1), draw(2) + 1},
@@ -197,7 +197,7 @@ TEST(Cross, TakesBackWhatItAdded) {
     expect_wanted();
   }
 
-  // The same way back.
+  // And back again.
   for (const auto& [boundary, times] : taken) cross(inside, boundary, -times);
   EXPECT_TRUE(inside.empty());
 }

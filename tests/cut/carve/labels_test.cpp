@@ -25,8 +25,8 @@ double depth_in_moved(const std::vector<Corners>& knife, const glm::dvec3& place
   return depth;
 }
 
-/// Where the knife's faces lie in those of the fruit, a part lies in or out as if the knife had moved. Returns how many
-/// parts lie in.
+/// Where the knife's faces lie in those of the fruit, a part lies inside or outside as if the knife had moved. Returns
+/// the number of parts inside.
 int expect_labels_of_middles(const ArrangedShapes& shapes) {
   const std::vector<std::vector<int>> winding = windings_of_knife(shapes.all, shapes.places);
   EXPECT_EQ(winding.size(), shapes.all.fruit_count);
@@ -53,7 +53,7 @@ TEST(Labels, AreThoseOfTheMiddlesOfParts) {
   EXPECT_GT(inside, 150);
 }
 
-/// Labels are asked for at the first corner of the first facet, and spread from there. It may lie on the knife.
+/// Labels spread from the first corner of the first facet, which may lie on the knife.
 TEST(Labels, AreTheSameWhereverTheyBegin) {
   for (const shapes::FruitAndKnife& pair : shapes::fruits_and_knives()) {
     if (pair.fruit.size() > 12 || !pair.knife_is_convex) continue;
@@ -84,7 +84,7 @@ TEST(Labels, CountEveryLayerOfAKnife) {
           (shapes.places.at(parts[k][0]) + shapes.places.at(parts[k][1]) + shapes.places.at(parts[k][2])) / 3.0;
       const double out = glm::length(middle);
       ++seen.at(static_cast<std::size_t>(winding[f][k]));
-      // The balls' faces are flat: their middles lie somewhat deeper than their corners.
+      // The balls' faces are flat: their middles lie deeper than their corners.
       const bool is_clear = out < 0.85 || (out > 1.05 && out < 1.7) || out > 2.01;
       if (is_clear) {
         EXPECT_EQ(winding[f][k], out < 1 ? 2 : out < 2 ? 1 : 0) << out;

@@ -1,4 +1,4 @@
-// Exact signs for a knife that has really been moved by (e, e^2, e^3): what the tie rule stands for, in whole numbers.
+// Exact signs for a knife that is moved by (e, e^2, e^3), in whole numbers: the tie rule must give the same.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace pomona::shapes {
 
-/// Coordinates are whole numbers from 0 to `max_steps`. Determinants of such change by less than the least they can
-/// be as the knife moves, and no later power of e makes up for an earlier one.
+/// Coordinates are whole numbers from 0 to `max_steps`. When the knife moves, their determinants change by less than
+/// the smallest possible one, and no later power of e outweighs an earlier one.
 constexpr int max_steps = 4;
 
 /// A place in units of e^3, e = 1/64.
@@ -21,7 +21,7 @@ using WidePoint = std::array<Wide, 3>;
 WidePoint at_rest(const glm::dvec3& place);
 WidePoint moved(const glm::dvec3& place);
 
-/// The sign of det(b - a, c - a, d - a): 1 where d sees abc run counter-clockwise.
+/// The sign of det(b - a, c - a, d - a): 1 where abc is counter-clockwise seen from d.
 int sign_of_volume(const WidePoint& a, const WidePoint& b, const WidePoint& c, const WidePoint& d);
 
 /// Closed convex shapes with their corners at whole numbers: a box, an octahedron, a tetrahedron, and a prism whose

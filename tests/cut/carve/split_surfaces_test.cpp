@@ -39,10 +39,11 @@ std::vector<std::uint32_t> points_of(const SurfaceTriangle& t, const SplitMesh& 
 
 double size_of(const glm::dvec3& area) { return glm::length(area); }
 
-/// The cell without the knife at work: cells of the stages are numbered two by two.
+/// The cell without the present knife, which makes cells 2 n and 2 n + 1 of cell n.
 std::uint32_t outside_of(std::uint32_t cell) { return cell - cell % 2; }
 
-/// Input triangle, and cell without the knife at work -> areas of all its parts together, and along their sum.
+/// By input triangle and cell without the present knife: the sum of the areas of its parts, and the area of the vector
+/// sum.
 struct Areas {
   glm::dvec3 sum{0};
   double size = 0;
@@ -59,7 +60,7 @@ std::map<Way, Areas> areas_of_surface(const CutFruit& fruit) {
   return all;
 }
 
-/// Nothing is lost, doubled or turned over: the parts' areas add up to the whole's, each for itself and as vectors.
+/// Nothing is lost, doubled or turned over: areas of parts add up to that of the whole, as numbers and as vectors.
 TEST(SplitSurfaces, AddUpToTheTrianglesTheyArePartsOf) {
   for (const CarvingCase& of : shapes::carving_cases()) {
     SCOPED_TRACE(of.name);
@@ -79,7 +80,7 @@ TEST(SplitSurfaces, SectionsAddUpToTheFacesTheyArePartsOf) {
     SCOPED_TRACE(of.name);
     const CarvingStages stages(of);
 
-    // Before and after, by face and the cells on either side.
+    // Before and after, by face and the cells on both sides.
     std::array<std::map<std::tuple<std::int32_t, std::uint32_t, std::uint32_t>, Areas>, 2> all;
     for (const std::size_t i : {0u, 1u}) {
       const CutFruit& fruit = i == 0 ? stages.fruit : stages.split.fruit;
@@ -106,7 +107,7 @@ TEST(SplitSurfaces, SectionsAddUpToTheFacesTheyArePartsOf) {
   EXPECT_GT(faces, 8u);
 }
 
-/// Asked next to all three corners and in the middle: the knife winds around all of them, or around none.
+/// Next to all three corners and in the middle the knife winds around all points, or around none.
 void expect_on_one_side(const CarvingStages& stages, const Corners& corners, std::uint32_t cell) {
   if (shapes::is_collapsed(corners)) return;
   const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -126,7 +127,7 @@ TEST(SplitSurfaces, LeaveNoTriangleOnBothSidesOfTheKnife) {
   }
 }
 
-/// How often triangles run each way from place to place, less how often they run it back.
+/// The number of triangles that use an edge in each direction, less those that use it in the opposite one.
 class Balance {
  public:
   template <typename Points>
@@ -144,8 +145,8 @@ class Balance {
   std::map<Way, int> sum_;
 };
 
-/// What boundary_of() lists of all skins and faces closes around the part of every body in every cell, by identity of
-/// places and before the knife at work adds its own face.
+/// The boundaries by boundary_of() of all skins and faces close around each body in each cell, by identity of points
+/// and before the present knife adds its face.
 TEST(SplitSurfaces, BoundariesCloseEveryPartOfABody) {
   std::size_t parts = 0;
   for (const CarvingCase& of : shapes::carving_cases()) {
@@ -153,7 +154,7 @@ TEST(SplitSurfaces, BoundariesCloseEveryPartOfABody) {
     const CarvingStages stages(of);
     const CutFruit& fruit = stages.split.fruit;
 
-    // Part by part, by cell and body: what bounds it, and the volume within.
+    // For each cell and body: its boundary, and the volume within.
     std::map<Way, Balance> balance;
     std::map<Way, double> volume;
     const auto add = [&](const auto& points, const Corners& corners, const std::vector<CellBoundary>& boundary) {
@@ -169,7 +170,7 @@ TEST(SplitSurfaces, BoundariesCloseEveryPartOfABody) {
     }
     for (const Cap& cap : fruit.section.cap) add(cap.point, corners_of(cap, fruit.mesh), boundary_of(cap));
 
-    // All parts close, and are the whole together.
+    // All parts are closed, and add up to the whole.
     double whole = 0;
     for (const auto& [part, of_part] : balance) {
       EXPECT_TRUE(of_part.is_even()) << part.first << " " << part.second;
@@ -189,7 +190,7 @@ glm::dvec3 normal_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) 
   return shapes::area_of({surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]});
 }
 
-/// The normals of the knife's triangles that have both places; 0 for those that are closed to a line.
+/// The normals of the knife's triangles with both points; 0 for collapsed ones.
 std::vector<glm::dvec3> normals_at(const Face& face, std::uint32_t from, std::uint32_t to) {
   std::vector<glm::dvec3> all;
   for (const glm::uvec3& t : face.triangle) {
@@ -201,12 +202,12 @@ std::vector<glm::dvec3> normals_at(const Face& face, std::uint32_t from, std::ui
   return all;
 }
 
-/// Seen from outside the knife, the front of the surface lies left of the way of a segment, and what an edge has
-/// behind it lies to its right.
+/// Seen from outside the knife, the front of the surface lies left of a segment, and what is behind an edge lies to its
+/// right.
 TEST(SplitSurfaces, TracesLieOnBothAndKeepFrontsToTheirLeft) {
   std::size_t segments = 0;
   for (const CarvingCase& of : shapes::carving_cases()) {
-    if (of.name == "face in face") continue;  // in one plane the tie rule alone has a way
+    if (of.name == "face in face") continue;  // in one plane only the tie rule gives a direction
     SCOPED_TRACE(of.name);
     const CarvingStages stages(of);
     const SplitMesh& mesh = stages.split.fruit.mesh;
@@ -250,7 +251,7 @@ TEST(SplitSurfaces, PartInsideFromOutsideAlongTracesAlone) {
       add(cap.point, sections + fruit.section.mesh.cut[t], cap.closing.cell[0]);
     }
 
-    // What has triangles on both sides has as many on either, and is what traces name.
+    // Edges with triangles on both sides have equally many on each, and are those of the traces.
     std::set<Way> mixed, traced;
     for (const auto& [key, count] : sides) {
       if (count[0] == 0 || count[1] == 0) continue;
@@ -263,8 +264,8 @@ TEST(SplitSurfaces, PartInsideFromOutsideAlongTracesAlone) {
   }
 }
 
-/// Seen from the front of what an edge of the knife bounds, the knife's inside lies left of the way: so what is cut
-/// runs the way there as its triangles inside do. Skins and earlier faces have edges, inner surfaces none.
+/// Seen from the front of what an edge of the knife bounds, the knife's inside lies left of the edge: so its direction
+/// is that of the cut triangles inside. Skins and earlier faces have edges, inner surfaces none.
 TEST(SplitSurfaces, GiveTheKnifeTheEdgesOfSkinsAndFacesInTheirWay) {
   std::size_t edges = 0;
   for (const CarvingCase& of : shapes::carving_cases()) {
@@ -273,7 +274,7 @@ TEST(SplitSurfaces, GiveTheKnifeTheEdgesOfSkinsAndFacesInTheirWay) {
     const CarvingStages stages(of);
     const CutFruit& fruit = stages.split.fruit;
 
-    // Ways of triangles inside the knife, and against those of triangles outside.
+    // Edges as triangles inside the knife use them, and against triangles outside.
     std::map<Way, int> inside, wanted, found;
     std::set<Way> outside;
     const auto add = [&](const auto& p, std::uint32_t cell) {
@@ -288,7 +289,7 @@ TEST(SplitSurfaces, GiveTheKnifeTheEdgesOfSkinsAndFacesInTheirWay) {
     }
     for (const Cap& cap : fruit.section.cap) add(cap.point, cap.closing.cell[0]);
 
-    // Where both meet there is an edge.
+    // There is an edge where both meet.
     for (const auto& [way, count] : inside) {
       if (outside.contains(way)) wanted[way] = count;
     }
@@ -308,7 +309,7 @@ CarvingCase waved_ball() {
   return of;
 }
 
-/// The normal that a face of the section has at a place, by the numbers of both. All its triangles there have the same.
+/// The normal of each face of the section at each point: the same for all its triangles there.
 std::map<std::pair<std::int32_t, std::uint32_t>, glm::vec3> normals_by_place(const CutFruit& fruit) {
   std::map<std::pair<std::int32_t, std::uint32_t>, glm::vec3> all;
   for (std::size_t t = 0; t < fruit.section.cap.size(); ++t) {
@@ -321,7 +322,7 @@ std::map<std::pair<std::int32_t, std::uint32_t>, glm::vec3> normals_by_place(con
   return all;
 }
 
-/// A wave is shaded as if it were round, and no differently where triangles have been split.
+/// A wave is shaded as if it were round, also where triangles have been split.
 TEST(SplitSurfaces, SectionsKeepTheirNormalsAtEveryPlace) {
   const CarvingStages stages(waved_ball());
   ASSERT_FALSE(stages.fruit.section.mesh.normal.empty());
@@ -337,7 +338,7 @@ std::vector<Way> ways_of_segments(const SplitFruit& split, bool turned) {
   return ways;
 }
 
-/// A segment may be told from either of its ends.
+/// A segment may begin at either end.
 TEST(SplitSurfaces, DivideSegmentsOfSectionsAlikeWhicheverWayTheyRun) {
   std::size_t added = 0;
   for (const CarvingCase& of : shapes::carving_cases()) {
@@ -358,7 +359,7 @@ TEST(SplitSurfaces, DivideSegmentsOfSectionsAlikeWhicheverWayTheyRun) {
 
 bool is_near(const Color& a, const Color& b) { return glm::distance(a, b) < 2e-6f; }
 
-/// Colours that change evenly over a triangle are, at a new vertex, what they are at its place.
+/// Colours that are linear over a triangle are right at a new vertex.
 TEST(SplitSurfaces, MixColorsAndNormalsByPlace) {
   for (const CarvingCase& of : shapes::carving_cases()) {
     SCOPED_TRACE(of.name);
@@ -394,7 +395,7 @@ TEST(SplitSurfaces, SectionsHaveTheColorsOfSurfacesWhereTheyFollowThem) {
   EXPECT_GT(added, 30u);
 }
 
-/// The caps of pieces and the section that is coloured are the same triangles.
+/// The caps of pieces are the triangles of the section.
 TEST(SplitSurfaces, SectionsLieWhereTheirCapsDo) {
   for (const CarvingCase& of : shapes::carving_cases()) {
     const CarvingStages stages(of);
@@ -418,7 +419,7 @@ TEST(SplitSurfaces, SectionsLieWhereTheirCapsDo) {
   }
 }
 
-/// What is drawn in ink is split with the triangles it runs along, and stays as long as it was.
+/// Lines of ink are split with their triangles, and keep their length.
 TEST(SplitSurfaces, SplitInkWithTheSection) {
   std::size_t added = 0;
   for (const CarvingCase& of : shapes::carving_cases()) {
@@ -447,7 +448,7 @@ TEST(SplitSurfaces, SplitInkWithTheSection) {
   EXPECT_GT(added, 15u);
 }
 
-/// Where faces meet, what is to be diffused is there once: the knife's face takes the vertices of those before it.
+/// Where faces meet, a vertex to be diffused exists once: the knife's face uses the vertices of earlier faces.
 TEST(SplitSurfaces, ShareTheVerticesThatEarlierFacesHaveOnTheKnife) {
   std::size_t shared = 0;
   for (const CarvingCase& of : shapes::carving_cases()) {

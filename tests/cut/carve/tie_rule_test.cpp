@@ -1,4 +1,4 @@
-// Signs of the tie rule against those of a knife that has really been moved.
+// Compares signs of the tie rule with those of a knife that is moved.
 #include "generator/cut/carve/tie_rule.h"
 
 #include <vector>
@@ -102,7 +102,7 @@ TEST(TieRule, SeesTheLastBit) {
       ASSERT_EQ(side_of_fruit(t, in_plane - off), -along);
       ASSERT_EQ(turn(t[0], t[1], t[2], in_plane + off), along);
     }
-    // The plane itself is in front of a point that x moves out of it, as the knife's first step does.
+    // A point in the plane is decided by the knife's first step, along x.
     ASSERT_EQ(side_of_fruit(t, in_plane), normal.x > 0 ? 1 : -1);
     ASSERT_EQ(side_of_knife(t, in_plane), normal.x > 0 ? -1 : 1);
   }

@@ -1,4 +1,4 @@
-// Lines in which planes and facets meet: the same points for all of these.
+// Lines in which planes and facets meet have the same points for all of them.
 #include "generator/cut/plane/cut_lines.h"
 
 #include <algorithm>
@@ -84,7 +84,7 @@ bool has(const std::vector<std::uint32_t>& points, std::uint32_t point) {
   return std::find(points.begin(), points.end(), point) != points.end();
 }
 
-/// Up to rounding, as far from the fruit as a line's ends are.
+/// Error of rounding at a line's ends, far from the fruit.
 constexpr double rounding = 1e-14;
 
 void expect_on_planes(const Lines& lines, const CutLine& line, const CutLines& all) {
@@ -150,8 +150,7 @@ TEST(CutLines, HoldAllPointsThatSurfacesHaveOnTwoPlanes) {
   }
 }
 
-/// Worked out by Cramer's rule, for every three planes without a line in common; of strokes only where all three facets
-/// reach.
+/// By Cramer's rule, for every three planes without a common line; of strokes only where all three facets reach.
 TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
   int intersections = 0;
   for (const Lines& lines : lines_of_knives()) {
@@ -163,7 +162,7 @@ TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
       for (int k = 0; k < planes.count(); ++k) {
         if (std::count(line.planes.begin(), line.planes.end(), k) > 0 || !lines.is_used(k)) continue;
 
-        // Where the line meets one more plane, if it does within the fruit.
+        // The point where the line meets one more plane, if it lies within the fruit.
         const CuttingPlane &p = planes[line.planes[0]].plane, &q = planes[line.planes[1]].plane, &r = planes[k].plane;
         const glm::dvec3 qr = glm::cross(q.normal, r.normal), rp = glm::cross(r.normal, p.normal),
                          pq = glm::cross(p.normal, q.normal);
@@ -183,7 +182,7 @@ TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
         EXPECT_TRUE(lines.is_on(there[0], k));
         ++intersections;
 
-        // The other lines of these planes have the very same point.
+        // The other lines of these planes have the same point.
         std::array<int, 3> all{line.planes[0], line.planes[1], k};
         std::sort(all.begin(), all.end());
         met[all].insert(there[0]);
@@ -233,7 +232,7 @@ TEST(CutLines, EndOutsideTheFruitOrWithTheirFacets) {
   EXPECT_GT(within, 100);
 }
 
-/// What lines add to the mesh lies on them, and on no facet that does not reach there.
+/// Points that lines add to the mesh lie on them, and only on facets that reach there.
 TEST(CutLines, AddNoPointForNothing) {
   for (const Lines& lines : lines_of_knives()) {
     SCOPED_TRACE(lines.name);
@@ -274,7 +273,7 @@ TEST(CutLines, AreNoneWhereNothingMeetsWithinTheFruit) {
   }
 }
 
-/// The edges that planes ask for: half as long on every other plane, and shorter towards one side.
+/// The wanted length of edges: half as long on every other plane, and shorter towards one side.
 double size_at(int plane, const glm::dvec3& place) {
   return (plane % 2 == 0 ? 0.006 : 0.003) + 0.02 * std::fabs(place.x);
 }
@@ -298,12 +297,12 @@ TEST(CutLines, AreSubdividedAsFineAsTheFinestOfTheirPlanesWants) {
         }
         EXPECT_LE(glm::distance(a, b), 1.2 * size);
 
-        // Not finer than need be: what was added halves what was too long.
+        // Not finer than needed: added points halve stretches that were too long.
         if (has(before.points, line.points[i - 1]) && has(before.points, line.points[i])) continue;
         EXPECT_GT(glm::distance(a, b), 0.5 * size);
       }
 
-      // All that were there are, in their order.
+      // All earlier points are still there, in their order.
       std::vector<std::uint32_t> old;
       std::copy_if(line.points.begin(), line.points.end(), std::back_inserter(old),
                    [&](std::uint32_t p) { return p < lines.all.mesh.point.size(); });
@@ -319,7 +318,7 @@ TEST(CutLines, TakeMorePointsIntoTheirOrderEachOnce) {
   for (const Lines& lines : lines_of_knives()) {
     SCOPED_TRACE(lines.name);
 
-    // Points between all that a line has, from the last to the first, some of them told twice.
+    // Points between all points of a line, from the last to the first, some of them twice.
     CutLines before = lines.all;
     Unshared more;
     for (std::size_t n = 0; n < before.lines.size(); n += 2) {

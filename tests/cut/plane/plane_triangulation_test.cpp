@@ -1,4 +1,4 @@
-// Triangulations that keep segments, whatever these do to each other.
+// Triangulations keep segments, also where these cross, overlap and touch.
 #include "generator/cut/plane/plane_triangulation.h"
 
 #include <cmath>

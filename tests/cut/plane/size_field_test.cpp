@@ -1,4 +1,4 @@
-// Points where the field needs them: many where colours differ across a gap, none where they do not.
+// Points lie where the field needs them: many where colours differ across a gap, none where they do not.
 #include "generator/cut/section/size_field.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The first step of a cut: where its points lie, and how what a plane leaves of triangles is divided.
+// The first step of a cut: where its points lie, and how it divides triangles.
 #include "generator/cut/plane/split.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ TEST(Split, PointsLieInAPlaneAcrossAnAxisToTheBitHoweverLateItComes) {
   }
 }
 
-/// Of the four-sided rest both parts have the shorter diagonal, wherever the fruit lies.
+/// The four-sided rest is divided along its shorter diagonal, wherever the fruit lies.
 TEST(Split, DividesTheRestOfATriangleAlongItsShorterDiagonal) {
   for (const glm::dvec3& place : {glm::dvec3(0), {0.5, 0.2, -0.3}, {-0.4, 0.1, 0.6}}) {
     const DiffusionSurfaces ball = shapes::moved(shapes::sphere(0.05, 4), place);
