@@ -110,14 +110,18 @@ ConvexHull convex_hull(std::span<const glm::vec3> points, std::size_t max) {
   const ConvexHull whole = whole_hull(different);
   if (whole.position.size() <= max) return whole;
 
-  // Grows a rough hull, a point at a time.
-  std::vector<glm::vec3> chosen = farthest_along_directions(whole.position);
+  // Grows a rough hull, a point at a time. Each point is tried once: beside a sliver of a face, whose normal is known
+  // only roughly, a corner of the hull or a point within may seem to lie outside, again and again.
+  std::vector<glm::vec3> chosen = farthest_along_directions(whole.position), left = whole.position;
   ConvexHull hull = whole_hull(chosen);
   while (hull.position.size() < max) {
-    const std::optional<glm::vec3> next = farthest_outside(hull, whole.position);
+    const std::optional<glm::vec3> next = farthest_outside(hull, left);
     if (!next) break;
+    left.erase(std::lower_bound(left.begin(), left.end(), *next, is_before));
     chosen = hull.position;
     chosen.push_back(*next);
+    std::sort(chosen.begin(), chosen.end(), is_before);
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
     hull = whole_hull(chosen);
   }
   return hull;

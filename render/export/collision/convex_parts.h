@@ -10,21 +10,18 @@
 namespace pomona {
 
 struct ConvexPartsOptions {
-  std::size_t most = 64;     ///< parts
-  double excess = 0.01;      ///< of the solid's volume: parts whose hull holds no more beyond themselves are done
-  double overhang = 2e-4;    ///< metres: what stands out farther of what is done is cut off
+  std::size_t most = 64;   ///< parts
+  double layer = 2e-4;     ///< metres: parts whose hull holds no more beyond them, spread over one of their two sides,
+                           ///< are not cut again
+  double overhang = 2e-4;  ///< metres: what stands out farther of a part at last is cut off
   std::size_t corners = 64;  ///< of a part, at least 14
 };
 
-/// Convex parts, in the solid's frame. Each body of the solid is cut by planes, upright ones through its axis or along
-/// the axes of its frame, where the hulls of what is left hold the least, until they are no larger than asked for or
-/// there are as many as permitted [after Lien and Amato 2007]; then each hull is trimmed by planes that touch the solid
-/// where the hull stands out most. Of an open mesh, whose inside is not known, the parts are hulls of what planes leave
-/// of its surface.
+/// Convex parts, in the solid's frame. Each body of the solid is cut by planes, where the hulls of what is left hold
+/// the least, until they hold no more than asked for or there are as many as permitted [after Lien and Amato 2007];
+/// then each hull is trimmed by planes that touch the solid where the hull stands out most. Of an open mesh, whose
+/// inside is not known, the parts are hulls of what planes leave of its surface.
 std::vector<ConvexHull> convex_parts(const Solid& solid, const ConvexPartsOptions& options = {});
-
-/// How deep a point lies in a hull, metres; negative outside, where it is no distance.
-double depth_in(const ConvexHull& hull, const glm::dvec3& point);
 
 /// The volume of a hull, cubic metres.
 double volume_of(const ConvexHull& hull);

@@ -2,6 +2,8 @@
 #include "render/export/collision/collision_shape.h"
 #include "render/export/collision/convex_parts.h"
 #include "render/export/collision/cut_surface.h"
+#include "render/export/collision/hull_bulge.h"
+#include "render/export/collision/solid_bodies.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +15,19 @@
 namespace pomona {
 namespace {
 
+/// The faces of all parts.
+using PartFaces = std::vector<std::vector<collision::FacePlane>>;
+
+PartFaces faces_of(const std::vector<ConvexHull>& parts) {
+  PartFaces faces;
+  for (const ConvexHull& part : parts) faces.push_back(collision::faces_of(part));
+  return faces;
+}
+
 /// How deep the point lies in the part that holds it deepest.
-double depth_in_any(const std::vector<ConvexHull>& parts, const glm::dvec3& point) {
+double depth_in_any(const PartFaces& parts, const glm::dvec3& point) {
   double depth = -1;
-  for (const ConvexHull& part : parts) depth = std::max(depth, depth_in(part, point));
+  for (const std::vector<collision::FacePlane>& part : parts) depth = std::max(depth, collision::depth_in(part, point));
   return depth;
 }
 
@@ -27,7 +38,7 @@ double volume_of(const std::vector<ConvexHull>& parts) {
 }
 
 /// The deepest of all places so far outside of the middles of the solid's triangles.
-double deepest_outside(const Solid& solid, const std::vector<ConvexHull>& parts, double away) {
+double deepest_outside(const Solid& solid, const PartFaces& parts, double away) {
   double deepest = -1;
   for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const glm::dvec3 normal = glm::normalize(solid.mesh.area_vector(t));
@@ -37,7 +48,7 @@ double deepest_outside(const Solid& solid, const std::vector<ConvexHull>& parts,
 }
 
 /// The share of places so far inside of the middles of the triangles that lie in a part.
-double covered(const Solid& solid, const std::vector<ConvexHull>& parts, double inside) {
+double covered(const Solid& solid, const PartFaces& parts, double inside) {
   double in = 0, all = 0;
   for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const glm::dvec3 area = solid.mesh.area_vector(t);
@@ -54,15 +65,16 @@ TEST(Collision, HollowDishesStayOpen) {
     const std::vector<ConvexHull> parts = collision_parts(dish, 1, StillShape::parts);
     ASSERT_GE(parts.size(), 5u);
     EXPECT_LE(parts.size(), 256u);
-    EXPECT_LT(deepest_outside(dish, parts, 5e-4), 4e-3) << "parts of a round bowl stand up to 4 mm out of its walls";
-    EXPECT_GT(covered(dish, parts, 1.5e-3), 0.8) << "and the walls are there";
+    const PartFaces faces = faces_of(parts);
+    EXPECT_LT(deepest_outside(dish, faces, 5e-4), 0) << "nothing stands half a millimetre out of the walls";
+    EXPECT_GT(covered(dish, faces, 1.5e-3), 0.9) << "and the walls are there";
     EXPECT_TRUE(collision_parts(dish, 1, StillShape::triangles).empty());
   }
 }
 
 TEST(Collision, OneHullWouldFillTheTray) {
   const Solid tray = heap_shapes::tray({0.3, 0.08, 0.2}, 0.01);
-  EXPECT_GT(depth_in(convex_hull(tray.mesh.position), {0, 0.05, 0}), 0.02);
+  EXPECT_GT(depth_in_any(faces_of({convex_hull(tray.mesh.position)}), {0, 0.05, 0}), 0.02);
 }
 
 collision::CutSurface surface_of(const Solid& solid) {
@@ -81,12 +93,28 @@ TEST(Collision, MoreHullsLeaveMoreOfARingOpen) {
   EXPECT_LT(volume_of(parts), 1.1 * ring.volume);
   EXPECT_GT(volume_of(parts), 0.85 * ring.volume);
   EXPECT_GT(whole, 1.4 * ring.volume);
-  EXPECT_LT(depth_in_any(parts, {0, 0.01, 0}), 0) << "the hole is open";
+  EXPECT_LT(depth_in_any(faces_of(parts), {0, 0.01, 0}), 0) << "the hole is open";
 }
 
 TEST(Collision, ConvexThingsAreOnePart) {
   EXPECT_EQ(convex_parts(named::ball("ball", 0.03f, 12, Color(1))).size(), 1u);
   EXPECT_EQ(convex_parts(named::box("box", {0, 0, 0}, {1, 2, 3}, Color(1), Color(1))).size(), 1u);
+}
+
+TEST(Collision, BodiesThatTouchAreApart) {
+  const Solid tray = heap_shapes::tray({0.3, 0.08, 0.2}, 0.01);
+  EXPECT_EQ(collision::bodies_of(tray).size(), 5u) << "a floor and four walls, which share edges";
+  EXPECT_EQ(convex_parts(tray).size(), 5u);
+}
+
+TEST(Collision, PartsHoldCornersWithinWalls) {
+  // Three cuts that meet within the box: no corner of the part behind them but one lies on the skin.
+  const Solid box = named::box("box", {0, 0, 0}, {1, 1, 1}, Color(1), Color(1));
+  collision::CutSurface corner = surface_of(box);
+  for (const glm::dvec3& normal : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
+    corner = collision::divided(corner, {normal, 0.5})[0];
+  EXPECT_NEAR(corner.volume(), 0.125, 1e-12);
+  EXPECT_NEAR(volume_of(convex_hull(corner.points())), 0.125, 1e-6);
 }
 
 TEST(Collision, CutsKeepTheVolume) {
