@@ -220,7 +220,7 @@ class Cutter {
     Cut result;
     SparedFruit done = spared(std::move(fruit), surfaces_, options_.spared_parts);
     result.pieces = watched(observer_, "pieces", [&] { return pieces(done, surfaces_, options_); });
-    result.warnings = bodies_.warnings;
+    result.warnings = known_.warnings;  // bodies that are united have none
     for (std::vector<std::string>& more : std::array{misses(knives_, planes_, done.fruit), done.warnings}) {
       for (std::string& warning : more) result.warnings.push_back(std::move(warning));
     }

@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "generator/base/error.h"
 #include "generator/surface/shell_geometry.h"
 
@@ -79,10 +81,24 @@ class BodyFinder {
     if (!has_boundary)
       bodies_.warnings.push_back(
           "no surface has a hidden side: nothing faces air, and there is no skin to show or to cut");
-    for (const std::int32_t s : surfaces_of_lone_walls())
+    const std::vector<std::int32_t> lone = surfaces_of_lone_walls();
+    if (lone.empty() && encloses_nothing())
+      bodies_.warnings.push_back("its closed surfaces enclose no volume: nothing of it is solid");
+    for (const std::int32_t s : lone)
       bodies_.warnings.push_back("surface \"" + surfaces_.surface_names[static_cast<std::size_t>(s)] +
                                  "\": a cavity wall lies in no skin, so nothing of it is solid: its hidden side faces "
                                  "inwards. Hide its other side, or turn it (a [[mesh]] by flip)");
+  }
+
+  /// True of closed surfaces that are flat, or as good as flat for their size.
+  bool encloses_nothing() const {
+    double volume = 0;
+    for (const Bodies::Body& b : bodies_.bodies) {
+      if (!b.closed) return false;
+      volume += b.volume;
+    }
+    const double size = glm::length(glm::dvec3(bounds_of(surfaces_).size()));
+    return !bodies_.bodies.empty() && volume <= 1e-9 * size * size * size;
   }
 
   /// The surfaces of the first triangles of these shells, in the order of shells, each once.

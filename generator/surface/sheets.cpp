@@ -105,6 +105,7 @@ class SheetMaker {
   DiffusionSurfaces make() {
     to_.surface_names = from_.surface_names;
     to_.part_names = from_.part_names;
+    to_.notes = from_.notes;
     // All whole triangles and first sheets, in the order of the triangles; then all second sheets.
     for (std::size_t i = 0; i < from_.triangle_count(); ++i) append(i, first_role(i));
     for (std::size_t i = 0; i < from_.triangle_count(); ++i) {

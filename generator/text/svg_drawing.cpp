@@ -196,7 +196,9 @@ class SvgReader {
   static void read_geometry(const pugi::xml_node& node, const Namespaces& names, SvgElement& result) {
     const SvgAttribute attribute = [&](const char* name) { return std::string_view(node.attribute(name).value()); };
     if (std::optional<SvgShape> shape = shape_of(result.tag, attribute)) {
-      if (shape->d.size() > max_path_bytes) {
+      if (!shape->fault.empty()) {
+        result.fault = shape->fault;
+      } else if (shape->d.size() > max_path_bytes) {
         result.fault = "holds more than 256 KiB of path data";
       } else {
         result.d = std::move(shape->d);
@@ -238,6 +240,30 @@ std::optional<double> page_unit_of(const pugi::xml_node& root) {
   if (width && box_width > 0) unit = *width / box_width;
   if (height && box_height > 0) unit = unit ? std::min(*unit, *height / box_height) : *height / box_height;
   return unit && *unit >= 1e-6 && *unit <= 1 ? unit : std::nullopt;
+}
+
+/// The size of the page must be lengths, and its viewBox four numbers, or the drawing would be of another size.
+void check_page(const pugi::xml_node& root, const std::string& file) {
+  const auto refuse = [&](const char* name, std::string_view text, const char* why) {
+    throw BadSketch(
+        at_place(file, 1, 1) + ": the page's " + name + " \"" + std::string(text.substr(0, 40)) + "\" " + why,
+        "set the size of the page in the program it came from");
+  };
+  for (const char* name : {"width", "height"}) {
+    const std::string_view text = root.attribute(name).value();
+    constexpr std::string_view relative[] = {"%", "em", "ex", "ch", "rem", "vw", "vh", "vmin", "vmax", "auto"};
+    if (text.empty() || std::any_of(std::begin(relative), std::end(relative),
+                                    [&](std::string_view unit) { return text.ends_with(unit); }))
+      continue;
+    const std::optional<double> length = parse_svg_length(text);
+    if (!length) refuse(name, text, "is no length");
+    if (!(*length > 0)) refuse(name, text, "is not above 0");
+  }
+  const std::string_view box = root.attribute("viewBox").value();
+  if (box.empty()) return;
+  const auto numbers = parse_svg_transform("matrix(" + std::string(box) + " 0 0)");
+  if (!numbers) refuse("viewBox", box, "is not four numbers");
+  if (!(numbers->c > 0 && numbers->d > 0)) refuse("viewBox", box, "has no size");
 }
 
 void check_size(std::string_view text, const std::string& file) {
@@ -292,6 +318,7 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
                         std::string(root.name()).substr(0, 40) + ">",
                     "save it from Inkscape as \"Inkscape SVG\"");
   }
+  check_page(root, file);
   drawing.page_unit = page_unit_of(root);
   SvgReader(text, drawing).read(root, {}, 0, {});
   return drawing;

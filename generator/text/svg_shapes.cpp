@@ -1,6 +1,8 @@
 #include "generator/text/svg_shapes.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
 #include "generator/base/number_text.h"
@@ -12,6 +14,28 @@ namespace {
 
 std::string in_words(const glm::dvec2& p) { return number_text(p.x) + " " + number_text(p.y); }
 
+/// The lengths of a shape.
+std::span<const char* const> lengths_of(std::string_view tag) {
+  static constexpr std::array circle{"cx", "cy", "r"};
+  static constexpr std::array line{"x1", "y1", "x2", "y2"};
+  static constexpr std::array ellipse{"cx", "cy", "rx", "ry"};
+  static constexpr std::array rect{"x", "y", "width", "height", "rx", "ry"};
+  if (tag == "circle") return circle;
+  if (tag == "line") return line;
+  if (tag == "ellipse") return ellipse;
+  return tag == "rect" ? std::span<const char* const>(rect) : std::span<const char* const>();
+}
+
+/// Why a length of the shape cannot be read; empty if all can.
+std::string fault_of(std::string_view tag, const SvgAttribute& attribute) {
+  for (const char* name : lengths_of(tag)) {
+    const std::string_view text = attribute(name);
+    if (text.empty() || text == "auto" || parse_svg_length(text)) continue;
+    return "has a length that cannot be read: " + std::string(name) + "=\"" + std::string(text.substr(0, 40)) + "\"";
+  }
+  return {};
+}
+
 double number(const SvgAttribute& attribute, const char* name) { return parse_svg_length(attribute(name)).value_or(0); }
 
 std::string arc(const glm::dvec2& radii, const glm::dvec2& to) {
@@ -21,23 +45,27 @@ std::string arc(const glm::dvec2& radii, const glm::dvec2& to) {
 /// Four quarters, from the right, downwards first, as in SVG.
 SvgShape ellipse(const glm::dvec2& center, const glm::dvec2& radii) {
   const glm::dvec2 x(radii.x, 0), y(0, radii.y);
-  return {"M" + in_words(center + x) + arc(radii, center + y) + arc(radii, center - x) + arc(radii, center - y) +
-              arc(radii, center + x) + "Z",
-          center};
+  return {.d = "M" + in_words(center + x) + arc(radii, center + y) + arc(radii, center - x) + arc(radii, center - y) +
+               arc(radii, center + x) + "Z",
+          .center = center,
+          .fault = {}};
 }
 
 SvgShape rectangle(const glm::dvec2& at, const glm::dvec2& size, const glm::dvec2& radii) {
   const glm::dvec2 end = at + size, center = at + 0.5 * size;
   if (radii.x == 0 || radii.y == 0) {
-    return {"M" + in_words(at) + "H" + number_text(end.x) + "V" + number_text(end.y) + "H" + number_text(at.x) + "Z",
-            center};
+    return {
+        .d = "M" + in_words(at) + "H" + number_text(end.x) + "V" + number_text(end.y) + "H" + number_text(at.x) + "Z",
+        .center = center,
+        .fault = {}};
   }
-  return {"M" + in_words({at.x + radii.x, at.y}) + "H" + number_text(end.x - radii.x) +
-              arc(radii, {end.x, at.y + radii.y}) + "V" + number_text(end.y - radii.y) +
-              arc(radii, {end.x - radii.x, end.y}) + "H" + number_text(at.x + radii.x) +
-              arc(radii, {at.x, end.y - radii.y}) + "V" + number_text(at.y + radii.y) +
-              arc(radii, {at.x + radii.x, at.y}) + "Z",
-          center};
+  return {.d = "M" + in_words({at.x + radii.x, at.y}) + "H" + number_text(end.x - radii.x) +
+               arc(radii, {end.x, at.y + radii.y}) + "V" + number_text(end.y - radii.y) +
+               arc(radii, {end.x - radii.x, end.y}) + "H" + number_text(at.x + radii.x) +
+               arc(radii, {at.x, end.y - radii.y}) + "V" + number_text(at.y + radii.y) +
+               arc(radii, {at.x + radii.x, at.y}) + "Z",
+          .center = center,
+          .fault = {}};
 }
 
 /// The radii of a rectangle's corners: one radius stands for both, and each is at most half the side.
@@ -69,22 +97,24 @@ std::optional<double> parse_svg_length(std::string_view text) {
 }
 
 std::optional<SvgShape> shape_of(std::string_view tag, const SvgAttribute& attribute) {
+  if (const std::string fault = fault_of(tag, attribute); !fault.empty())
+    return SvgShape{.d = {}, .center = {}, .fault = fault};
   if (tag == "path") {
     // Inkscape also writes a circle as a path, with its centre.
     std::optional<glm::dvec2> center;
     if (attribute("sodipodi:type") == "arc")
       center = {number(attribute, "sodipodi:cx"), number(attribute, "sodipodi:cy")};
-    return SvgShape{std::string(attribute("d")), center};
+    return SvgShape{.d = std::string(attribute("d")), .center = center, .fault = {}};
   }
   if (tag == "polyline" || tag == "polygon") {
     const std::string points(attribute("points"));
     if (points.empty()) return {};
-    return SvgShape{"M" + points + (tag == "polygon" ? "Z" : ""), {}};
+    return SvgShape{.d = "M" + points + (tag == "polygon" ? "Z" : ""), .center = {}, .fault = {}};
   }
   if (tag == "line") {
     const glm::dvec2 from(number(attribute, "x1"), number(attribute, "y1"));
     const glm::dvec2 to(number(attribute, "x2"), number(attribute, "y2"));
-    return SvgShape{"M" + in_words(from) + "L" + in_words(to), {}};
+    return SvgShape{.d = "M" + in_words(from) + "L" + in_words(to), .center = {}, .fault = {}};
   }
   const bool is_circle = tag == "circle";
   if (is_circle || tag == "ellipse") {

@@ -19,6 +19,7 @@ std::optional<double> parse_svg_length(std::string_view text);
 struct SvgShape {
   std::string d;
   std::optional<glm::dvec2> center;
+  std::string fault;  ///< why it cannot be read; else empty
 };
 
 /// The outline of a path, circle, ellipse, rect, line, polyline or polygon; nothing for other elements and for shapes

@@ -173,6 +173,26 @@ TEST(GlbDialect, NodesComeBeforeMeshDataAndSeveralAreTold) {
   EXPECT_TRUE(parse_glb(bytes, "x", "Sphere").notes.empty());
 }
 
+TEST(GlbDialect, ValuesOfAnotherTypeAreRefusedByTheirName) {
+  // The library would take defaults for these.
+  const auto message = [](const std::string& node, const std::string& mesh) {
+    return message_of(triangle_glb(node, mesh, {}));
+  };
+  const std::string node = R"({"mesh":0})";
+  EXPECT_THAT(message(R"({"mesh":"0"})", plain_mesh),
+              HasSubstr("x.glb:nodes[0].mesh: error: it must be a whole number"));
+  EXPECT_THAT(message(R"({"mesh":0,"scale":[1,2]})", plain_mesh),
+              HasSubstr("nodes[0].scale: error: it must be 3 numbers"));
+  EXPECT_THAT(message(R"({"mesh":0,"rotation":[0,0,0,2]})", plain_mesh), HasSubstr("node 0: error: its rotation"));
+  EXPECT_THAT(message(R"({"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"scale":[1,1,1]})", plain_mesh),
+              HasSubstr("node 0: error: has both a matrix and a scale"));
+  EXPECT_THAT(message(node, replaced(plain_mesh, "0", "-1")),
+              HasSubstr("attributes: error: it must be an object of whole"));
+  EXPECT_THAT(message(R"({"mesh":0,"mesh":0})", plain_mesh),
+              HasSubstr("byte 20: error: the key \"mesh\" stands twice"));
+  EXPECT_THAT(message(R"({"mesh":0,"children":[0]})", plain_mesh), HasSubstr("node 0: error: is held twice"));
+}
+
 TEST(GlbDialect, NodesOfOneNameAreToldAndAllRead) {
   const std::string nodes = R"({"children":[1,2]},{"name":"pea","mesh":0},{"name":"pea","mesh":0})";
   const PlainMesh mesh = parse_glb(triangle_glb(nodes, plain_mesh, {}), "x", "pea");

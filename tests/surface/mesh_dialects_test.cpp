@@ -112,6 +112,20 @@ TEST(ObjDialect, ObjectsComeBeforeGroups) {
   EXPECT_EQ(parse_obj(replaced(faces, "g skin", "g left skin"), "x", "left").triangle.size(), 1u);
 }
 
+TEST(ObjDialect, AVertexHasThreeNumbersAWeightOrAColour) {
+  for (const char* numbers : {"", " 1", " 1 0 0", " 1 0 0 1"})
+    EXPECT_EQ(parse_obj(replaced(tetrahedron, "v 1 0 0", "v 1 0 0" + std::string(numbers)), "x", "").triangle.size(),
+              4u);
+  for (const char* numbers : {" 1 0", " 1 0 0 1 0", " 1 0 0 1 0 0"}) {
+    const std::string text = replaced(tetrahedron, "v 1 0 0", "v 1 0 0" + std::string(numbers));
+    EXPECT_THAT(message_of([&] { parse_obj(text, "x.obj", ""); }), HasSubstr("error: a vertex has 3 numbers"));
+  }
+}
+
+TEST(ObjDialect, ACornerTwiceInARowIsOne) {
+  expect_same(parse_obj(replaced(tetrahedron, "f 2 3 4", "f 2 2 3 4 4 2"), "x", ""), parse_obj(tetrahedron, "x", ""));
+}
+
 TEST(ObjDialect, ColoursMayBeBytes) {
   const std::string bytes = "v 0 0 0 255 0 128\nv 1 0 0 255 0 128\nv 0 1 0 255 0 128\nf 1 2 3\n";
   const PlainMesh mesh = parse_obj(bytes, "x", "");

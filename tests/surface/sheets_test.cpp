@@ -31,6 +31,12 @@ TEST(Sheets, WithoutBlurNothingChanges) {
   EXPECT_EQ(signed_volume(split), signed_volume(ball));
 }
 
+TEST(Sheets, NotesOfTheFileStay) {
+  DiffusionSurfaces ball = sphere(1, 4, blurred({}, 0.05f));
+  ball.notes = {"a face is left out"};
+  EXPECT_EQ(sheets(ball).notes, ball.notes);
+}
+
 TEST(Sheets, AnInnerSurfacePartsIntoTwoThatAreBlurAway) {
   const DiffusionSurfaces ball = sphere(1, 16, blurred({}, 0.05f));
   const DiffusionSurfaces split = sheets(ball);

@@ -1,7 +1,6 @@
 #include "generator/surface/file/glb_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -12,10 +11,10 @@
 #include <tiny_gltf.h>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
-#include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
 #include "generator/base/little_endian.h"
+#include "generator/surface/file/gltf_json.h"
 
 namespace pomona {
 
@@ -63,81 +62,16 @@ void check_container(std::string_view bytes, const std::string& file) {
   const std::uint32_t json = word_at(bytes, 12);
   if (word_at(bytes, 16) != 0x4E4F534Au) refuse(file, "byte 16", "the first chunk is not JSON");
   if (json > bytes.size() - head) refuse(file, "byte 12", "the file ends early");
+  for (std::size_t at = 12; at < bytes.size();) {
+    if (bytes.size() - at < 8 || word_at(bytes, at) > bytes.size() - at - 8)
+      refuse(file, "byte " + std::to_string(at), "the file ends within a chunk");
+    at += 8 + std::size_t{word_at(bytes, at)};
+  }
   if (json > max_json) refuse(file, "byte 12", "more than 4 MiB of JSON", "export the one object, not the scene");
   const std::string_view text = bytes.substr(head, json);
   if (depth_of(text) > deepest_json) refuse(file, "byte 20", "values nested more than 64 deep");
   if (std::count(text.begin(), text.end(), ',') > max_values)
     refuse(file, "byte 20", "more than 500 000 values of JSON", "export the one object, not the scene");
-}
-
-// ---- Extensions ----
-
-constexpr const char* instancing = "EXT_mesh_gpu_instancing";
-constexpr const char* quantization = "KHR_mesh_quantization";
-constexpr const char* visibility = "KHR_node_visibility";
-
-/// True for an extension that a file may require: one that is read here, or that affects only ignored data.
-bool is_understood(std::string_view extension) {
-  if (extension == instancing || extension == quantization || extension == visibility) return true;
-  constexpr std::array<std::string_view, 10> looks{
-      "KHR_materials_", "KHR_texture_", "EXT_texture_",   "MSFT_texture_",   "KHR_lights_",
-      "EXT_lights_",    "KHR_xmp",      "KHR_animation_", "ADOBE_materials", "EXT_mesh_features"};
-  return std::any_of(looks.begin(), looks.end(), [&](std::string_view look) { return extension.starts_with(look); });
-}
-
-std::string hint_about(std::string_view extension) {
-  if (extension.find("draco") != std::string_view::npos || extension.find("meshopt") != std::string_view::npos)
-    return "export it without compression";
-  return "export it without this extension, or as .obj";
-}
-
-using GlbJson = nlohmann::json;
-
-/// The items of a list in an object; none without such a list.
-std::vector<GlbJson> list_at(const GlbJson& object, const char* key) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return found == object.end() || !found->is_array() ? std::vector<GlbJson>{} : found->get<std::vector<GlbJson>>();
-}
-
-bool has_extension(const GlbJson& object, const std::string& name) {
-  return object.is_object() && object.contains("extensions") && object["extensions"].is_object() &&
-         object["extensions"].contains(name);
-}
-
-/// Refuses required extensions that are not supported, by name, before anything else is read.
-void check_extensions(std::string_view text, const std::string& file) {
-  const GlbJson json = GlbJson::parse(text.begin(), text.end(), nullptr, false);
-  if (!json.is_object()) return;  // the reader tells the reason
-  for (const GlbJson& required : list_at(json, "extensionsRequired")) {
-    if (!required.is_string() || is_understood(required.get<std::string>())) continue;
-    const auto name = required.get<std::string>().substr(0, 64);
-    refuse(file, "extensionsRequired", "it requires \"" + name + "\", which is not read", hint_about(name));
-  }
-
-  // Only the first buffer may be in the file, without a URI.
-  const std::vector<GlbJson> buffers = list_at(json, "buffers"), accessors = list_at(json, "accessors");
-  for (std::size_t i = 0; i < buffers.size(); ++i) {
-    if (!buffers[i].is_object() || buffers[i].contains("uri")) continue;
-    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
-      if (has_extension(buffers[i], name))
-        refuse(file, "buffer " + std::to_string(i),
-               std::string("it is compressed by \"") + name + "\", which is not read", hint_about(name));
-    if (i > 0)
-      refuse(file, "buffer " + std::to_string(i), "it has no bytes", "export it anew as binary glTF 2.0 (.glb)");
-  }
-
-  // A compressed mesh may also have uncompressed values.
-  const std::string draco = "KHR_draco_mesh_compression";
-  for (const GlbJson& mesh : list_at(json, "meshes")) {
-    for (const GlbJson& primitive : list_at(mesh, "primitives")) {
-      if (!has_extension(primitive, draco)) continue;
-      const auto index = primitive.contains("indices") && primitive["indices"].is_number_unsigned()
-                             ? primitive["indices"].get<std::size_t>()
-                             : accessors.size();
-      if (index < accessors.size() && accessors[index].is_object() && !accessors[index].contains("bufferView"))
-        refuse(file, "meshes", "it is compressed by \"" + draco + "\", which is not read", hint_about(draco));
-    }
-  }
 }
 
 /// The file without an empty chunk, which the reader refuses.
@@ -233,7 +167,7 @@ class GlbReader {
     if (wanted.empty()) refuse(file_, "scene", "has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
     const std::size_t several = by_node ? called_so_ : wanted.size();
     if (several > 1)
-      mesh_.notes.push_back(file_ + ": " + std::to_string(several) + " nodes " +
+      mesh_.notes.push_back(std::to_string(several) + " nodes " +
                             (by_node ? "are called \"" : "show the mesh data \"") + object_.substr(0, 64) +
                             "\": all of them are read");
     return wanted;
@@ -241,7 +175,9 @@ class GlbReader {
 
   /// The scene's nodes, or all nodes without a parent.
   std::vector<int> roots() const {
-    const int scene = model_.defaultScene >= 0 ? model_.defaultScene : 0;
+    const int scene = std::max(model_.defaultScene, 0);
+    if (model_.defaultScene >= 0 && static_cast<std::size_t>(scene) >= model_.scenes.size())
+      refuse(file_, "scene", "there is no such scene");
     if (static_cast<std::size_t>(scene) < model_.scenes.size())
       return model_.scenes[static_cast<std::size_t>(scene)].nodes;
     std::vector<int> roots;
@@ -262,11 +198,14 @@ class GlbReader {
     const std::string what = "node " + std::to_string(index);
     if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
       refuse(file_, what, "there is no such node");
-    if (depth > deepest_json || ++visits_ > max_nodes)
-      refuse(file_, what, "nodes nested too deep, or within themselves");
+    std::optional<glm::dmat4>& place = to_scene_[static_cast<std::size_t>(index)];
+    if (place)
+      refuse(file_, what, "is held twice: by two nodes, or within itself", "export it anew, with copies of the node");
+    if (depth > deepest_json || ++visits_ > max_nodes) refuse(file_, what, "nodes nested too deep");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
+    check_transform(node, what);
     const glm::dmat4 to_scene = parent * transform_of(node);
-    to_scene_[static_cast<std::size_t>(index)] = to_scene;
+    place = to_scene;
     if (is_invisible(node)) return;
     const bool called_so = !object_.empty() && node.name == object_;
     called_so_ += called_so ? 1 : 0;
@@ -281,8 +220,19 @@ class GlbReader {
     for (const int child : node.children) visit(child, to_scene, depth + 1, all_below);
   }
 
+  void check_transform(const tinygltf::Node& node, const std::string& what) const {
+    if (node.rotation.size() == 4 && !is_turn(node.rotation[0], node.rotation[1], node.rotation[2], node.rotation[3]))
+      refuse(file_, what, "its rotation is no unit quaternion");
+  }
+
+  /// True for a quaternion of length 1, as far as rounding to bytes allows.
+  static bool is_turn(double x, double y, double z, double w) {
+    constexpr double rounding = 0.02;
+    return std::fabs(std::sqrt(x * x + y * y + z * z + w * w) - 1) <= rounding;
+  }
+
   static bool is_invisible(const tinygltf::Node& node) {
-    const auto found = node.extensions.find(visibility);
+    const auto found = node.extensions.find(gltf_visibility);
     if (found == node.extensions.end() || !found->second.Has("visible")) return false;
     const tinygltf::Value& visible = found->second.Get("visible");
     return visible.IsBool() && !visible.Get<bool>();
@@ -304,7 +254,7 @@ class GlbReader {
   }
 
   std::vector<glm::dmat4> places_of(const tinygltf::Node& node, const glm::dmat4& to_scene) {
-    const auto extension = node.extensions.find(instancing);
+    const auto extension = node.extensions.find(gltf_instancing);
     if (extension == node.extensions.end() || node.skin >= 0) return {to_scene};
     const tinygltf::Value& attributes = extension->second.Get("attributes");
     const auto table = [&](const char* name, std::size_t width) -> std::optional<Table> {
@@ -315,13 +265,15 @@ class GlbReader {
     };
     const auto translation = table("TRANSLATION", 3), rotation = table("ROTATION", 4), scale = table("SCALE", 3);
     const std::optional<Table>& first = translation ? translation : rotation ? rotation : scale;
-    if (!first) return {to_scene};
+    if (!first) refuse(file_, element_, "its instances have no places");
     if (first->count > max_instances) refuse(file_, element_, "more than 65 536 instances", "export fewer");
     for (const std::optional<Table>& other : {translation, rotation, scale})
       if (other && other->count != first->count) refuse(file_, element_, "its instances have lists of unequal length");
     std::vector<glm::dmat4> places;
     for (std::size_t i = 0; i < first->count; ++i) {
       glm::dmat4 place(1);
+      if (rotation && !is_turn(rotation->at(i, 0), rotation->at(i, 1), rotation->at(i, 2), rotation->at(i, 3)))
+        refuse(file_, element_ + ", ROTATION, instance " + std::to_string(i), "it is no unit quaternion");
       if (rotation)
         place = glm::mat4_cast(
             glm::normalize(glm::dquat(rotation->at(i, 3), rotation->at(i, 0), rotation->at(i, 1), rotation->at(i, 2))));
@@ -338,6 +290,7 @@ class GlbReader {
   std::vector<glm::dmat4> joints_of(int index) const {
     if (static_cast<std::size_t>(index) >= model_.skins.size()) refuse(file_, element_, "there is no such skin");
     const tinygltf::Skin& skin = model_.skins[static_cast<std::size_t>(index)];
+    if (skin.joints.empty()) refuse(file_, element_, "its skin has no joints");
     std::optional<Table> inverse;
     if (skin.inverseBindMatrices >= 0) inverse = table_of(skin.inverseBindMatrices, "inverseBindMatrices");
     if (inverse && (inverse->width != 16 || inverse->count < skin.joints.size()))
@@ -439,9 +392,12 @@ class GlbReader {
          bytes_at(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), number, accessor.type,
                   accessor.componentType, name),
          accessor.normalized, name);
+    double last = -1;
     for (std::size_t i = 0; i < number; ++i) {
       const double place = component_of(at, i, 0).value_or(-1);
       if (!(place >= 0 && place < static_cast<double>(table.count))) fail("a sparse value has no place");
+      if (place <= last) fail("the places of its sparse values do not rise");
+      last = place;
       for (std::size_t k = 0; k < table.width; ++k)
         table.value[static_cast<std::size_t>(place) * table.width + k] = other.at(i, k);
     }
@@ -465,6 +421,11 @@ class GlbReader {
     T value;
     std::memcpy(&value, at, sizeof(T));
     return static_cast<double>(value);
+  }
+
+  static bool is_unsigned(int component) {
+    return component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   }
 
   static std::optional<double> component_of(const Values& values, std::size_t item, std::size_t k) {
@@ -527,7 +488,7 @@ class GlbReader {
 
   bool has_quantization() const {
     const auto lists = [](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), quantization) != names.end();
+      return std::find(names.begin(), names.end(), gltf_quantization) != names.end();
     };
     return lists(model_.extensionsUsed) || lists(model_.extensionsRequired);
   }
@@ -535,6 +496,8 @@ class GlbReader {
   /// Adds the morph targets by their weights.
   void morph(std::vector<glm::dvec3>& position, const tinygltf::Primitive& primitive,
              const std::vector<double>& weights) const {
+    if (!weights.empty() && weights.size() != primitive.targets.size())
+      refuse(file_, element_ + ", morph targets", "it needs one weight for each target");
     for (std::size_t t = 0; t < std::min(weights.size(), primitive.targets.size()); ++t) {
       const auto found = primitive.targets[t].find("POSITION");
       if (weights[t] == 0 || found == primitive.targets[t].end()) continue;
@@ -599,10 +562,15 @@ class GlbReader {
     if (!is_vector || values.count != mesh_.position.size() - first) {
       refuse(file_, element_ + ", COLOR_0", "it needs one colour for each vertex");
     }
+    const bool is_byte_or_short = values.component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                                  values.component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    if (values.component != TINYGLTF_COMPONENT_TYPE_FLOAT && !(values.normalized && is_byte_or_short))
+      refuse(file_, element_ + ", COLOR_0", "colours must be floats or normalized", "export it without colours");
     colored_ = true;
     for (std::size_t i = 0; i < values.count; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         const double channel = component_of(values, i, k).value_or(0.5);
+        if (!std::isfinite(channel)) refuse(file_, element_ + ", COLOR_0", "a colour is not finite");
         mesh_.color[first + i][static_cast<int>(k)] = channel >= 0 ? static_cast<float>(std::min(channel, 1.0)) : 0.0f;
       }
     }
@@ -613,14 +581,14 @@ class GlbReader {
     const std::size_t vertices = mesh_.position.size() - first;
     std::optional<Values> indices;
     if (primitive.indices >= 0) indices = values_of(primitive.indices, "indices");
-    if (indices && (indices->type != TINYGLTF_TYPE_SCALAR || indices->component == TINYGLTF_COMPONENT_TYPE_FLOAT ||
-                    !component_of(*indices, 0, 0))) {
-      refuse(file_, element_ + ", indices", "they must be whole numbers");
-    }
+    if (indices && (indices->type != TINYGLTF_TYPE_SCALAR || indices->normalized || !is_unsigned(indices->component)))
+      refuse(file_, element_ + ", indices", "they must be whole numbers without a sign");
 
     // Refuse too many triangles before any is read.
     const std::size_t corners = indices ? indices->count : vertices;
     const bool apart = primitive.mode == TINYGLTF_MODE_TRIANGLES;
+    if (apart && corners % 3 != 0)
+      refuse(file_, element_, std::to_string(corners) + " corners are no whole number of triangles");
     const bool is_fan = primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
     const std::size_t count = apart ? corners / 3 : corners < 3 ? 0 : corners - 2;
     if (count > max_mesh_triangles - mesh_.triangle.size()) {
@@ -664,7 +632,7 @@ class GlbReader {
 
 PlainMesh parse_glb(std::string_view bytes, const std::string& file, const std::string& object) {
   check_container(bytes, file);
-  check_extensions(bytes.substr(20, word_at(bytes, 12)), file);
+  check_gltf_json(bytes.substr(20, word_at(bytes, 12)), file);
   return GlbReader(parse_model(without_empty_chunk(bytes), file), file, object).read();
 }
 

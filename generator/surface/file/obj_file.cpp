@@ -204,9 +204,10 @@ class ObjParser {
     // x y z r g b; a single fourth number is a weight.
     std::array<double, 4> more{};
     int count = 0;
-    for (std::string_view text = word(); !text.empty() && count < 4; text = word()) {
-      more[static_cast<std::size_t>(count++)] = number(text);
-    }
+    std::string_view text = word();
+    for (; !text.empty() && count < 4; text = word()) more[static_cast<std::size_t>(count++)] = number(text);
+    if (count == 2 || !text.empty())
+      fail("a vertex has 3 numbers, 4 with a weight, or 6 with a colour", "export it without other values");
     if (count < 3) return;
     channel_.resize(mesh_.position.size(), glm::dvec3(no_color));
     channel_.back() = {more[0], more[1], more[2]};
@@ -246,8 +247,10 @@ class ObjParser {
     const std::size_t first = corners_.size();
     for (std::string_view text = word(); !text.empty(); text = word()) {
       if (corners_.size() - first == max_corners) fail("a face with more than 65536 corners");
-      corners_.push_back(corner(text));
+      const std::uint32_t next = corner(text);
+      if (corners_.size() == first || corners_.back() != next) corners_.push_back(next);
     }
+    while (corners_.size() > first + 1 && corners_.back() == corners_[first]) corners_.pop_back();
     const std::size_t count = corners_.size() - first;
     if (count < 3) {
       corners_.resize(first);

@@ -131,6 +131,12 @@ void PlyReader::skip(const PlyProperty& property) {
   for (std::uint64_t k = 0; k < count; ++k) value(property.type);
 }
 
+std::size_t PlyReader::bytes_left() const {
+  std::size_t end = bytes_.size();
+  while (end > next_ && (is_space(bytes_[end - 1]) || bytes_[end - 1] == '\0')) --end;
+  return end - next_;
+}
+
 void PlyReader::fail(const std::string& message, const std::string& hint) const {
   if (header_.format == PlyFormat::ascii) fail_at(last_, message, hint);
   SourcePlace place;

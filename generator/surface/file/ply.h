@@ -31,6 +31,9 @@ class PlyReader {
 
   void skip(const PlyProperty& property);
 
+  /// The number of bytes that are not read yet, without blanks and zeros at the end.
+  std::size_t bytes_left() const;
+
   /// Fails at the value read last: "vertex 12, byte 345" in binary files, line and column in ascii.
   [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const;
 

@@ -56,6 +56,7 @@ class HeaderParser {
       const std::string_view keyword = word();
       if (keyword == "end_header") break;
       if (keyword == "format") {
+        if (has_format) fail("the format stands twice");
         read_format();
         has_format = true;
       } else if (keyword == "comment" || keyword == "obj_info") {

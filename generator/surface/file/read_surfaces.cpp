@@ -195,6 +195,8 @@ class SurfaceReader {
     }
     append_awaiting();
     paint_faces();
+    if (const std::size_t left = ply_.bytes_left(); left > 0)
+      surfaces_.notes.push_back("the " + std::to_string(left) + " bytes behind its last element are not read");
   }
 
   void check_elements() {
@@ -210,6 +212,8 @@ class SurfaceReader {
     }
     if (!has(*vertices_, {"x", "y", "z"})) ply_.fail_at(vertices_->byte, "vertices need the properties x, y and z");
     for (const PlyElement* element : {faces_, strips_}) {
+      if (element && std::count_if(element->properties.begin(), element->properties.end(), is_corners) > 1)
+        ply_.fail_at(element->byte, "there are two lists of corners, vertex_index and vertex_indices");
       if (element && std::none_of(element->properties.begin(), element->properties.end(), is_corners))
         ply_.fail_at(element->byte,
                      (element == faces_ ? "faces" : "strips") + std::string(" need the list vertex_indices"));
@@ -266,7 +270,7 @@ class SurfaceReader {
 
     // Colours for viewers have a full scale of their own; the rest are single values.
     if (const std::optional<int> k = srgb.channel(property))
-      return [this, k = *k](Vertex& v, double value) { v.srgb[k] = number(value, 1e6); };
+      return [this, k = *k, type = property.type](Vertex& v, double value) { v.srgb[k] = channel(value, type); };
     if (property.name == "blur") {
       return [this](Vertex& v, double value) {
         if (value < 0) ply_.fail("blur is below 0", "blur is a length in metres");
@@ -288,6 +292,15 @@ class SurfaceReader {
     if (std::fabs(value) > max)
       ply_.fail("this number is too large",
                 "at most " + std::to_string(static_cast<std::int64_t>(max)) + ", lengths in metres");
+    return value;
+  }
+
+  /// A channel of a colour for viewers. Text may hold what its type cannot.
+  double channel(double value, PlyType type) const {
+    number(value, 1e6);
+    const double largest = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 1e6;
+    if (!is_float(type) && !(value >= 0 && value <= largest && value == std::floor(value)))
+      ply_.fail("a colour cannot be that", "its type holds whole numbers from 0 to 255, or to 65535");
     return value;
   }
 
@@ -372,7 +385,7 @@ class SurfaceReader {
         } else if (std::int32_t* index = index_of(property, face)) {
           *index = read_index(property.type);
         } else if (const std::optional<int> k = srgb.channel(property)) {
-          color[*k] = number(ply_.value(property.type), 1e6);
+          color[*k] = channel(ply_.value(property.type), property.type);
         } else {
           ply_.skip(property);
         }
@@ -438,7 +451,11 @@ class SurfaceReader {
   void read_corners(const PlyProperty& property, Face& face) {
     const std::uint64_t count = ply_.list_length(property);
     if (surfaces_.triangle_count() + count > max_triangles + 2) ply_.fail("more than 10 000 000 triangles");
-    for (std::uint64_t k = 0; k < count; ++k) face.corners.push_back(corner_of(ply_.value(property.type)));
+    for (std::uint64_t k = 0; k < count; ++k) {
+      const std::uint32_t corner = corner_of(ply_.value(property.type));
+      if (face.corners.empty() || face.corners.back() != corner) face.corners.push_back(corner);
+    }
+    while (face.corners.size() > 1 && face.corners.back() == face.corners.front()) face.corners.pop_back();
   }
 
   std::uint32_t corner_of(double value) const {

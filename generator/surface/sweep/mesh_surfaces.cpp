@@ -140,6 +140,7 @@ DiffusionSurfaces painted_mesh(const Template& fruit, const MeshSketch& mesh) {
 
 DiffusionSurfaces read_surfaces_of(const Template& fruit, const MeshSketch& mesh) {
   DiffusionSurfaces surfaces = mesh.paint ? painted_mesh(fruit, mesh) : from_surface_file(fruit, mesh);
+  for (std::string& note : surfaces.notes) note = mesh.file->path + ": mesh \"" + mesh.name + "\": " + note;
   // A mesh in a wrong unit is nearly nothing, or larger than a house.
   constexpr double smallest = 1e-6, largest = 100;
   const double size = glm::length(bounds_of(surfaces).size());
