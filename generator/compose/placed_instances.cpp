@@ -166,19 +166,23 @@ class SetPlace {
     return reach;
   }
 
-  /// Neighbours that do not give way: the ground at the seat, and the surface from which the stalks come.
+  /// Neighbours that do not give way: the ground at the seat, and surfaces that are as
+  /// hard.
   std::vector<std::vector<PressWall>> walls() const {
     std::vector<std::vector<PressWall>> all(seats_.size());
     if (place_.press->root) {
       for (std::size_t i = 0; i < seats_.size(); ++i)
         all[i].push_back({seats_[i].center - seats_[i].normal * *place_.press->root, -seats_[i].normal});
     }
-    if (!place_.stalk) return all;
-    const SurfaceSketch& from = variant_.surfaces.at(static_cast<std::size_t>(place_.stalk->from));
-    const std::vector<SweptGrid> grids =
-        swept_grids(variant_, from, {.detail = options_.detail, .key = key_, .threads = options_.threads});
-    for (std::size_t i = 0; i < seats_.size(); ++i) {
-      if (const std::optional<PressWall> nearest = nearest_wall(grids, i)) all[i].push_back(*nearest);
+    std::vector<int> hard = place_.press->against;
+    if (place_.stalk) hard.push_back(place_.stalk->from);
+    for (const int surface : hard) {
+      const std::vector<SweptGrid> grids =
+          swept_grids(variant_, variant_.surfaces.at(static_cast<std::size_t>(surface)),
+                      {.detail = options_.detail, .key = key_, .threads = options_.threads});
+      for (std::size_t i = 0; i < seats_.size(); ++i) {
+        if (const std::optional<PressWall> nearest = nearest_wall(grids, i)) all[i].push_back(*nearest);
+      }
     }
     return all;
   }

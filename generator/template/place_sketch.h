@@ -20,6 +20,7 @@ struct PressSketch {
   double gap = 0.0001;  ///< metres between two that are pressed
   double soft = 0.03;   ///< how round the rims of flat faces are, as a share of the distance to the heart
   std::optional<double> root = {};  ///< the ground is a neighbour, too; each reaches so deep into it, metres
+  std::vector<int> against = {};    ///< surfaces of the template that has the place, which do not give way
 };
 
 /// A stalk from a surface near the axis to the top of each instance.

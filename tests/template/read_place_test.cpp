@@ -71,7 +71,7 @@ size = [[0.0, 1.0], [1.0, 0.5]]
 size_jitter = 0.1
 individuals = 5
 detail = 0.5
-press = { surface = "skin", heart = 0.4, gap = "0.3mm", soft = 0.05, root = "0.5mm" }
+press = { surface = "skin", heart = 0.4, gap = "0.3mm", soft = 0.05, root = "0.5mm", against = ["skin"] }
 stalk = { from = "skin", rise = "3mm", width = ["2mm", "1mm"], part = "flesh", color = "#00ff00" }
 merge = { skin = "flesh" }
 )"));
@@ -86,6 +86,7 @@ merge = { skin = "flesh" }
   EXPECT_EQ(place.individuals, 5);
   ASSERT_TRUE(place.press && place.press->root && place.stalk);
   EXPECT_EQ(*place.press->root, 0.0005);
+  EXPECT_THAT(place.press->against, testing::ElementsAre(0));
   EXPECT_EQ(place.stalk->top_width, 0.001);
   EXPECT_THAT(fruit.parts, testing::ElementsAre("skin", "flesh", "berry.flesh"));
   EXPECT_THAT(place.parts, testing::ElementsAre(1, 2));

@@ -61,12 +61,18 @@ std::shared_ptr<const Template> read_placed(const TomlValue& value, const Placed
   }
 }
 
-PressSketch read_press(const TomlTable& table, const Template& placed) {
+PressSketch read_press(const TomlTable& table, const Template& placed, const Template& fruit) {
   PressSketch press;
   press.surface = table.need("surface").choice(surface_names(placed));
   press.heart = table.get("heart").number(press.heart, {0.05, 0.95});
   press.gap = table.get("gap").length(press.gap, {0, 0.1});
   press.soft = table.get("soft").number(press.soft, {0.005, 0.2});
+  if (table.has("against")) {
+    for (const TomlValue& surface : table.get("against").values()) {
+      if (press.against.size() == fruit.surfaces.size()) break;
+      press.against.push_back(surface.choice(surface_names(fruit)));
+    }
+  }
   if (table.has("root")) press.root = table.get("root").length(0, {0, 0.1});
   return press;
 }
@@ -162,7 +168,7 @@ std::optional<PlaceSketch> read_place(const TomlTable& table, const PlacedWithin
   if (place.heading == PlaceSketch::Heading::stalk && !place.stalk)
     table.get("heading").error("looks to a stalk, but there is none", "write stalk = { from = ... }");
   if (!place.placed) return {};  // noted; keys of the press and of parts would be misleading
-  if (table.has("press")) place.press = read_press(table.get("press").table(), *place.placed);
+  if (table.has("press")) place.press = read_press(table.get("press").table(), *place.placed, fruit);
   if (place.press && place.press->root && !place.surface)
     table.get("press").table().get("root").error("needs a ground", "seats of a cluster lie on no surface");
   if (table.has("merge")) merged = read_merged(table.get("merge").table(), fruit, *place.placed);
