@@ -46,7 +46,7 @@ BLENDER_PREFIX := out/test_blender/installed
 test-blender: blender-addon python ## the add-on tried by Blender, on what is installed: with the program and with the Python module, and in a window under Xvfb; three minutes
 	@scripts/setup.sh programs
 	@rm -rf $(BLENDER_PREFIX) && cmake --install build --prefix $(BLENDER_PREFIX) >/dev/null
-	tests/blender/addon_test.py $(BLENDER_PREFIX) build/blender out/test_blender --window
+	tests/blender/addon_test.py $(BLENDER_PREFIX)/bin/pomona build/blender out/test_blender --module $(BLENDER_PREFIX)/lib/python3*/*-packages --window
 
 # Other programs, and what runs in node or in a browser.
 .npm:

@@ -34,7 +34,8 @@ def developed(scene, samples, picture):
 
 
 def exposed(scene, seed, folder):
-    """One exposure with half of the samples: light, base colour and normals of all pixels, linear, height x width x 3."""
+    """One exposure with half of the samples: light, base colour and normals of all pixels, each height x width x 3,
+    linear."""
     scene.cycles.seed = seed
     bpy.ops.render.render()
     layers = {}
@@ -65,7 +66,7 @@ def without_grain(first, second):
     one, two = (numpy.log1p(exposure["light"] / (exposure["albedo"] + 0.03)) for exposure in (first, second))
     spread = box_mean(0.5 * (one - two) ** 2, 2) + 1e-6
     sums, weights = [numpy.zeros_like(one), numpy.zeros_like(two)], [numpy.zeros(one.shape[:2] + (1,))] * 2
-    reach, patch = 7, 2
+    reach, patch = 5, 2
     ways = [(down, right) for down in range(-reach, reach + 1) for right in range(-reach, reach + 1)]
     for way in ways:
         there = numpy.roll(spread, way, (0, 1))

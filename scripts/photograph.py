@@ -5,8 +5,7 @@ docs/reference/style.md. Runs within Blender:
 
 VIEW is "halves", for two pieces, of which the first leans against the other so that its cut face is seen (usual);
 "piece", for one piece that lies on its back; "rim", from close by at the edge between cut face and skin, at 45 degrees
-to either; or "scene", for pieces that stay as they lie, by the camera of the file. SAMPLES is per pixel, 24 if not
-said. PICTURE may be a .png.
+to either; or "scene", for pieces that stay as they lie. SAMPLES is per pixel, 24 if not said. PICTURE may be a .png.
 
 Light under the surface, which Blender's reader of glTF does not know, is taken from the materials' extras.
 """
@@ -167,22 +166,22 @@ def wood(reach):
 
 
 def camera_on(seen):
-    """Frames these points; the camera of the file in a scene."""
-    known = [thing for thing in bpy.data.objects if thing.type == "CAMERA"]
-    if view == "scene" and known:
-        return known[0]
+    """Frames these points."""
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     scene.collection.objects.link(camera)
     low = Vector([min(place[k] for place in seen) for k in range(3)])
     high = Vector([max(place[k] for place in seen) for k in range(3)])
     at, size = (low + high) / 2, (high - low).length
     way, fill = Vector((0.0, -0.80, 0.62)).normalized(), 0.84
+    if view == "scene":
+        way, fill = Vector((0.10, -0.72, 0.80)).normalized(), 0.92
     if view == "rim":
         normal = Vector((0, -0.34, 0.94))
         rim = max(seen, key=lambda place: 1000 * place.dot(normal) + place.x - place.y)  # on the face, right in front
         out = rim - at
         out = (out - out.dot(normal) * normal).normalized()
-        seen, at, way, size = [rim + 0.1 * size * (out - normal), rim - 0.1 * size * (out - normal)], rim, normal + out, size / 3
+        span = 0.1 * size * (out - normal)
+        seen, at, way, size = [rim + span, rim - span], rim, normal + out, size / 3
     camera.rotation_euler = (-way).to_track_quat("-Z", "Y").to_euler()
     camera.location = at + way.normalized() * 5 * size
     camera.data.clip_start, camera.data.clip_end = 0.1 * size, 1000 * size

@@ -77,7 +77,7 @@ def fruit_group(options: Any) -> Any:
         "verb": props.StringProperty(),
         "what": props.StringProperty(name="Template", update=settings_changed, search=add_fruit.suggested_templates,
                                      search_options={"SUGGESTION"}),
-        "copy": props.StringProperty(),  # the studio's, of a template of the program's own; not there before it is saved
+        "copy": props.StringProperty(),  # the studio's, of a template of the program's own; there once it is saved
         "knives": props.CollectionProperty(type=PomonaKnife),
         "active_knife": props.IntProperty(),
         "options": props.PointerProperty(type=options),
