@@ -15,7 +15,7 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/gallery.py write
 
 figures: build $(if $(filter textures,$(PAGE)),.npm) ## our counterpart of each figure of the paper, docs/reference/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch, scenes) those of that page
-	@scripts/setup.sh gallery $(if $(filter textures,$(PAGE)),programs)
+	@scripts/setup.sh gallery $(if $(filter textures style,$(PAGE)),programs)
 	@scripts/figures.py make build/pomona $(or $(PAGE),figures) $(FIGURE)
 
 build: ## the program, at build/pomona
@@ -42,9 +42,11 @@ test-python: python ## the module's tests, on the wheel as it is installed; FULL
 blender-addon: build ## the add-on for Blender as a .zip in build/blender; docs/guides/blender.md
 	@blender/make_addon.py build/pomona build/blender
 
-test-blender: python blender-addon ## the add-on tried by Blender: with the program and with the Python module, and in a window under Xvfb; two minutes
+BLENDER_PREFIX := out/test_blender/installed
+test-blender: blender-addon python ## the add-on tried by Blender, on what is installed: with the program and with the Python module, and in a window under Xvfb; three minutes
 	@scripts/setup.sh programs
-	tests/blender/addon_test.py build/pomona build/blender out/test_blender --module build/module --window
+	@rm -rf $(BLENDER_PREFIX) && cmake --install build --prefix $(BLENDER_PREFIX) >/dev/null
+	tests/blender/addon_test.py $(BLENDER_PREFIX)/bin/pomona build/blender out/test_blender --module $(BLENDER_PREFIX)/lib/python3*/*-packages --window
 
 # Other programs, and what runs in node or in a browser.
 .npm:

@@ -26,6 +26,9 @@ bpy.ops.preferences.addon_enable(module="pomona_blender")
 
 from pomona_blender.keeper import keeper  # noqa: E402
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from developing import developed  # noqa: E402
+
 
 def plain(name, color, roughness):
     material = bpy.data.materials.new(name)
@@ -103,13 +106,9 @@ def lit(at, eye, reach, field):
 
 def drawn(name):
     scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples, scene.cycles.seed, scene.cycles.use_denoising = 32, 0, False
-    scene.cycles.use_adaptive_sampling, scene.cycles.adaptive_threshold = True, 0.03
     scene.render.resolution_x, scene.render.resolution_y = 480, 360
-    scene.view_settings.view_transform, scene.view_settings.look = "Filmic", "Medium High Contrast"
-    scene.render.filepath = str(FOLDER / f"{name}.png")
-    bpy.ops.render.render(write_still=True)
+    scene.view_settings.view_transform, scene.view_settings.look = "Filmic", "High Contrast"
+    developed(scene, 32, str(FOLDER / f"{name}.png"))
 
 
 def bowl():
@@ -128,7 +127,7 @@ def strewn():
         for i in range(side):
             x, y = 0.4 * (i / (side - 1) - 0.5), 0.4 * (j / (side - 1) - 0.5)
             hill, waves = 0.05 * math.exp(-(x * x + y * y) / 0.012), math.sin(40 * x) * math.sin(34 * y)
-            points.append((x, y, hill + 0.004 * waves))
+            points.append((x, y, hill + 0.005 + 0.004 * waves))  # above the table
     for j in range(side - 1):
         faces += [(j * side + i, j * side + i + 1, (j + 1) * side + i + 1, (j + 1) * side + i) for i in range(side - 1)]
     solid("ice", points, faces, plain("ice", (0.80, 0.87, 0.90), 0.25))

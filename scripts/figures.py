@@ -37,13 +37,15 @@ def commands(section):
 
 
 def made_by(page, section):
-    return set(re.findall(rf"docs/(pictures/{page}/\w+\.png)", "\n".join(commands(section))))
+    return set(re.findall(rf"docs/(pictures/{page}/\w+\.(?:png|jpg))", "\n".join(commands(section))))
 
 
 def with_palette(page, section):
-    """The pictures that 256 colours are enough for. Scenes have more, and a dither would show: they keep theirs."""
+    """The pictures (.png) that 256 colours are enough for. Scenes have more, and a dither would show: they keep
+    theirs."""
     scenes = [line for line in commands(section) if line.startswith("pomona scene ")]
-    return sorted(path for path in made_by(page, section) if not any(f"docs/{path}" in line for line in scenes))
+    made = [path for path in made_by(page, section) if path.endswith(".png")]
+    return sorted(path for path in made if not any(f"docs/{path}" in line for line in scenes))
 
 
 def make(program, page, headings):
@@ -73,7 +75,7 @@ def make(program, page, headings):
 def picture_faults(page):
     """Every picture is made by a command below its heading, shown there, and in the tree."""
     for heading, section in sections(page).items():
-        shown = set(re.findall(rf"!\[\]\((?:\.\./)+(?:docs/)?(pictures/{page}/\w+\.png)\)", section))
+        shown = set(re.findall(rf"!\[\]\((?:\.\./)+(?:docs/)?(pictures/{page}/\w+\.(?:png|jpg))\)", section))
         for path in sorted(shown ^ made_by(page, section)):
             yield f"{path_of(page)}: {heading}: {path} is {'shown' if path in shown else 'made'} alone"
         for path in sorted(shown):

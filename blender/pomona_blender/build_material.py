@@ -4,12 +4,11 @@ share, textured or not, in all their objects: who changes it changes them all. A
 from __future__ import annotations
 
 import dataclasses
-import hashlib
 from typing import Any, Optional
 
 import bpy
 
-from .glb_file import Look, Material
+from .glb_file import Image, Look, Material
 from .new_data import NewData
 
 # What a group or material was made from: another look of the same name is another group.
@@ -113,7 +112,7 @@ def learn_subsurface(group: Any, look: Look) -> None:
 class Materials:
     """The materials of one file, made when first asked for. new: told of all that is made."""
 
-    def __init__(self, materials: list[Material], images: list[tuple[str, bytes]], new: NewData) -> None:
+    def __init__(self, materials: list[Material], images: list[Image], new: NewData) -> None:
         self._materials, self._images, self._new = materials, images, new
         self._made: dict[tuple[int, str], Any] = {}
         self._loaded: dict[int, Any] = {}
@@ -143,7 +142,7 @@ class Materials:
     def _textured(self, told: Material, group: Any) -> Any:
         """Of one piece: its texture is its own. The same texture once more is the same material."""
         assert told.color is not None
-        made_from = f"{hashlib.sha256(self._images[told.color][1]).hexdigest()} {group.name}"
+        made_from = f"{self._images[told.color].digest} {group.name}"
         for known in bpy.data.materials:
             if known.get(MADE_FROM) == made_from:
                 return known
@@ -190,10 +189,10 @@ class Materials:
     def _image(self, index: int, is_color: bool) -> Any:
         """Packed into the .blend file."""
         if index not in self._loaded:
-            name, data = self._images[index]
-            image = self._new.kept(bpy.data.images.new(name, 8, 8))
+            told = self._images[index]
+            image = self._new.kept(bpy.data.images.new(told.name, 8, 8))
             image.source = "FILE"
-            image.pack(data=data, data_len=len(data))
+            image.pack(data=told.data, data_len=len(told.data))
             image.colorspace_settings.name = "sRGB" if is_color else "Non-Color"
             self._loaded[index] = image
         return self._loaded[index]

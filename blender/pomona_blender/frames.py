@@ -22,6 +22,11 @@ def place_for_blender(place: Any) -> Any:
     return TO_BLENDER @ place @ TO_BLENDER.T
 
 
+def points_for_pomona(points: Any) -> Any:
+    """n x 3 points of Blender's frame."""
+    return numpy.stack([points[:, 0], points[:, 2], -points[:, 1]], axis=1)
+
+
 def for_pomona(vector: Sequence[float]) -> tuple[float, float, float]:
     """A point or a normal of Blender's frame."""
     x, y, z = vector

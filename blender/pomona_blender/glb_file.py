@@ -3,6 +3,7 @@ numbers are as Blender wants them. Axes stay those of the file: metres, +Y up.""
 
 from __future__ import annotations
 
+import hashlib
 import json
 import struct
 from dataclasses import dataclass, field
@@ -80,20 +81,29 @@ class Placed:
     levels: list[int] = field(default_factory=list)
 
 
+@dataclass(frozen=True)
+class Image:
+    """data: of a PNG. digest: of the data, made where the file is read, off the main thread."""
+
+    name: str
+    data: bytes
+    digest: str
+
+
 @dataclass
 class Model:
-    """All that a file holds. images: (name, bytes of a PNG)."""
+    """All that a file holds."""
 
     meshes: list[Mesh]
     placed: list[Placed]
     materials: list[Material]
-    images: list[tuple[str, bytes]]
+    images: list[Image]
 
     @property
     def size(self) -> int:
         """Bytes, about."""
         arrays = sum(mesh.positions.nbytes + mesh.normals.nbytes + mesh.triangles.nbytes for mesh in self.meshes)
-        return int(2 * arrays) + sum(len(data) for _, data in self.images)
+        return int(2 * arrays) + sum(len(image.data) for image in self.images)
 
 
 class GlbReader:
@@ -184,9 +194,13 @@ class GlbReader:
         return found
 
     def model(self) -> Model:
-        images = [(one["name"], bytes(self.view(one["bufferView"]))) for one in self.json.get("images", [])]
+        images = [read_image(one["name"], bytes(self.view(one["bufferView"]))) for one in self.json.get("images", [])]
         return Model([self.mesh(index) for index in range(len(self.json.get("meshes", [])))], self.placed(),
                      [self.material(one) for one in self.json.get("materials", [])], images)
+
+
+def read_image(name: str, data: bytes) -> Image:
+    return Image(name, data, hashlib.sha256(data).hexdigest())
 
 
 def place_of(node: dict[str, Any]) -> Any:

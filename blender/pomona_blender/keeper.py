@@ -7,6 +7,7 @@ ordered. Blender's undo must know of every data-block: where some are new, or go
 
 from __future__ import annotations
 
+import os
 import time
 from typing import Any, Iterator, Optional, Sequence
 
@@ -21,8 +22,8 @@ from .settings import hasty, order_of, roots
 from .workshop import workshop
 
 # Seconds: how long a window may wait for an operator, how long a step of building takes at most, how long nothing has
-# changed until all is made as ordered, and how often we look.
-PATIENCE, AT_ONCE, QUIET, OFTEN, SELDOM = 0.4, 0.04, 0.7, 0.03, 0.2
+# changed until all is made as ordered, and how often we look. A step may be late by one mesh, some 0.1 s.
+PATIENCE, AT_ONCE, QUIET, OFTEN, SELDOM = 0.2, 0.04, 0.7, 0.03, 0.2
 
 
 class Building:
@@ -49,10 +50,11 @@ class Building:
 
 
 class Keeper:
-    """changed: when somebody changed something, by name of the root."""
+    """look: something may have changed. It is set by whatever changes settings; files are looked at each second."""
 
     def __init__(self) -> None:
         self.look = True
+        self._looked = 0.0
         self._building: Optional[Building] = None
         self._changed: dict[str, float] = {}
         self._seen: dict[str, str] = {}
@@ -82,7 +84,7 @@ class Keeper:
     def make_now(self, root: Any, seconds: Optional[float]) -> bool:
         """Makes it as ordered, within this time if it goes; else work goes on, and the window too. None waits for the
         end. What is wrong is the root's message then."""
-        shop = workshop()
+        shop, began = workshop(), time.monotonic()
         if shop.door is None:
             return False
         root.pomona.message = ""
@@ -102,7 +104,7 @@ class Keeper:
             model, warnings = job.model, job.warnings
             shop.keep(order, model)
         building = Building(root, order, model, warnings)
-        if not building.go_on(seconds):
+        if not building.go_on(None if seconds is None else seconds - (time.monotonic() - began)):
             self._building = building
             return False
         return True
@@ -120,8 +122,8 @@ class Keeper:
             self._take(name)
             if self._building is not None:
                 return 0.0
-        if self.look:
-            self.look = False
+        if self.look or time.monotonic() - self._looked > 1 and any(is_of_file(root) for root in roots()):
+            self.look, self._looked = False, time.monotonic()
             self._notice()
         self._start_what_is_due()
         return OFTEN if self.is_busy else SELDOM
@@ -156,6 +158,7 @@ class Keeper:
         for root in roots():
             if not root.pomona.follow or root.name in self._waits or root.pomona.verb == "scene":
                 continue
+            adopt_copy(root.pomona)
             key = order_of(root, workshop().asked).key
             if key != self._seen.get(root.name, root.pomona.made):
                 self._changed[root.name] = time.monotonic()
@@ -188,6 +191,17 @@ class Keeper:
                 self._building = Building(root, wanted, model, [])
                 return
             shop.start(name, wanted)
+
+
+def is_of_file(root: Any) -> bool:
+    """Whether a file says what it is, which others may change."""
+    return bool(root.pomona.copy) or root.pomona.what.endswith(".toml")
+
+
+def adopt_copy(fruit: Any) -> None:
+    """From when the studio has saved its copy, that is what grows."""
+    if fruit.copy and os.path.isfile(fruit.copy):
+        fruit.what, fruit.copy = fruit.copy, ""
 
 
 def push_undo(message: str) -> None:

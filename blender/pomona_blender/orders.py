@@ -50,9 +50,11 @@ def spelled(value: Value) -> str:
 
 
 def stamp_of(what: str) -> int:
-    """When the file was changed last, nanoseconds; 0 if `what` is the name of something that Pomona has."""
+    """When the file, or the sketch beside it, was changed last, nanoseconds; 0 if `what` is the name of something that
+    Pomona has."""
     path = Path(what)
-    return path.stat().st_mtime_ns if path.suffix and path.is_file() else 0
+    files = [path, path.with_suffix(".svg")] if path.suffix else []
+    return max((file.stat().st_mtime_ns for file in files if file.is_file()), default=0)
 
 
 def order_from_command(command: str, table: Sequence[Option]) -> Order:

@@ -1,21 +1,21 @@
 """Templates of one's own: opened, made of a mesh, drawn in the studio."""
 
+import functools
 import os
-import re
-import subprocess
-import threading
 from pathlib import Path
 from typing import Any, Optional
 
 import bpy
+import numpy
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from .add_fruit import NeedsPomona, made, new_root, set_knives, short_name
 from .doors import INSTALL, ProgramDoor, find_program
-from .frames import for_pomona
+from .frames import points_for_pomona
 from .scene_text import obj_text
 from .serve import evaluated
 from .settings import root_of
+from .studio import Studio, open_studio
 from .template_text import hex_color, template_name, template_text
 from .workshop import workshop
 
@@ -75,21 +75,15 @@ class POMONA_OT_from_mesh(NeedsPomona, bpy.types.Operator, ExportHelper):
 def write_mesh(thing: Any, path: Path, depth: float, context: Any) -> None:
     """Its skin, and the same moved inwards by a depth, metres: the second only gives colour."""
     points, triangles = evaluated(thing, context)
-    inwards = [(0.0, 0.0, 0.0)] * len(points)
-    for a, b, c in triangles:
-        across = (points[b] - points[a]).cross(points[c] - points[a])
-        for corner in (a, b, c):
-            inwards[corner] = tuple(inwards[corner][k] - across[k] for k in range(3))
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    across = numpy.cross(b - a, c - a)
+    outwards = numpy.stack([numpy.bincount(triangles.ravel(), numpy.repeat(across[:, k], 3), len(points))
+                            for k in range(3)], axis=1)
     # Whichever way the mesh faces: Pomona turns its skin, too.
-    turned = -1 if sum(points[a].dot(points[b].cross(points[c])) for a, b, c in triangles) < 0 else 1
-    inner = []
-    for point, way in zip(points, inwards):
-        length = max(sum(part * part for part in way) ** 0.5, 1e-20)
-        inner.append([point[k] + turned * depth * way[k] / length for k in range(3)])
-    count = len(points)
-    later = [tuple(corner + count for corner in triangle) for triangle in triangles]
-    skin = obj_text([for_pomona(point) for point in points], triangles, "skin")
-    inside = obj_text([for_pomona(point) for point in inner], later, "inside")
+    turned = -1 if (a * numpy.cross(b, c)).sum() < 0 else 1
+    inner = points - turned * depth * outwards / numpy.maximum(numpy.linalg.norm(outwards, axis=1), 1e-20)[:, None]
+    skin = obj_text(points_for_pomona(points), triangles, "skin")
+    inside = obj_text(points_for_pomona(inner), triangles + len(points), "inside")
     path.write_text(skin + inside, encoding="utf-8")
 
 
@@ -108,60 +102,41 @@ class POMONA_OT_studio(bpy.types.Operator):
         if program is None:
             self.report({"ERROR"}, INSTALL)
             return {"CANCELLED"}
-        fruit = root_of(context.object).pomona
+        root = root_of(context.object)
         folder = Path(bpy.path.abspath("//") or bpy.app.tempdir)
-        address = open_studio(program, fruit.what, folder)
-        if address is None:
-            self.report({"ERROR"}, "The studio did not start")
-            return {"CANCELLED"}
-        if not fruit.what.endswith(".toml"):
-            fruit.what = os.fspath(folder / f"{fruit.what}.toml")  # the studio's own copy
-        if not bpy.app.background:
-            bpy.ops.wm.url_open(url=address)
-        self.report({"INFO"}, address)
+        studio = open_studio(program, root.pomona.what, folder, shows=not bpy.app.background)
+        if not root.pomona.what.endswith(".toml"):
+            root.pomona.copy = os.fspath(folder / f"{root.pomona.what}.toml")  # there once it is saved
+        if bpy.app.background:
+            studio.wait()
+            return told(self, studio)
+        bpy.app.timers.register(functools.partial(told_later, root.name, studio), first_interval=0.1)
         return {"FINISHED"}
+
+
+NOT_STARTED = "The studio did not start: "
+
+
+def told(operator: Any, studio: Studio) -> set[str]:
+    """What the operator returns once the studio is there, or is not."""
+    if studio.address is None:
+        operator.report({"ERROR"}, NOT_STARTED + studio.last_words)
+        return {"CANCELLED"}
+    operator.report({"INFO"}, studio.address)
+    return {"FINISHED"}
+
+
+def told_later(root_name: str, studio: Studio) -> Optional[float]:
+    """Blender's timer: says what went wrong, where the fruit's messages stand."""
+    if not studio.is_told:
+        return 0.1
+    root = bpy.data.objects.get(root_name)
+    if studio.address is None and root is not None:
+        root.pomona.message = NOT_STARTED + studio.last_words
+    return None
 
 
 def studio_program() -> Optional[str]:
     """The studio is in the program alone."""
     door = workshop().door
     return door.program if isinstance(door, ProgramDoor) else find_program()
-
-
-def open_studio(program: str, template: str, folder: Path) -> Optional[str]:
-    """Its address; None if it does not tell one. It ends with Blender."""
-    child = subprocess.Popen([program, "studio", template], cwd=folder, stdin=subprocess.DEVNULL,
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    told: list[str] = []
-    heard = threading.Event()
-
-    def listen() -> None:
-        assert child.stdout is not None
-        for line in child.stdout:
-            if found := re.search(r"http://\S+", line):
-                told.append(found.group(0))
-                heard.set()
-        heard.set()
-
-    threading.Thread(target=listen, daemon=True).start()
-    heard.wait(5)
-    if told:
-        started_studios().append(child)
-        return told[0]
-    child.terminate()
-    return None
-
-
-_studios: list[subprocess.Popen[str]] = []
-
-
-def started_studios() -> list[subprocess.Popen[str]]:
-    """Those that are ended with the add-on."""
-    return _studios
-
-
-def end_studios() -> None:
-    while _studios:
-        child = _studios.pop()
-        child.terminate()
-        child.wait(5)

@@ -4,7 +4,7 @@ from typing import Any
 
 import bpy
 
-from . import add_fruit, change_fruit, own_templates, panels, serve
+from . import add_fruit, change_fruit, own_templates, panels, serve, studio
 from .doors import INSTALL, find_door
 from .keeper import end_keeping, keeper, settings_changed, start_keeping
 from .pictures import forget_pictures, load_pictures
@@ -77,6 +77,7 @@ def fruit_group(options: Any) -> Any:
         "verb": props.StringProperty(),
         "what": props.StringProperty(name="Template", update=settings_changed, search=add_fruit.suggested_templates,
                                      search_options={"SUGGESTION"}),
+        "copy": props.StringProperty(),  # the studio's, of a template of the program's own; there once it is saved
         "knives": props.CollectionProperty(type=PomonaKnife),
         "active_knife": props.IntProperty(),
         "options": props.PointerProperty(type=options),
@@ -136,5 +137,5 @@ def unregister() -> None:
     del bpy.types.WindowManager.pomona_is_watched
     while _registered:
         bpy.utils.unregister_class(_registered.pop())
-    own_templates.end_studios()
+    studio.end_studios()
     close_workshop()

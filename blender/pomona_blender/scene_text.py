@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Iterable, Sequence
+from typing import Any, Sequence
 
 from .build_objects import DISH
 
@@ -46,8 +46,8 @@ def serving_text(number: int, serving: Serving, way: str) -> str:
     return "\n".join([*lines, WAYS[way], ""])
 
 
-def obj_text(points: Iterable[Any], triangles: Iterable[Any], name: str) -> str:
-    """Wavefront OBJ: points in metres, +Y up; triangles count from 0."""
-    lines = [f"o {name}", *(f"v {x:.7g} {y:.7g} {z:.7g}" for x, y, z in points),
-             *(f"f {a + 1} {b + 1} {c + 1}" for a, b, c in triangles)]
+def obj_text(points: Any, triangles: Any, name: str) -> str:
+    """Wavefront OBJ: points in metres, +Y up, n x 3; triangles count from 0, m x 3."""
+    lines = [f"o {name}", *(f"v {x:.7g} {y:.7g} {z:.7g}" for x, y, z in points.tolist()),
+             *(f"f {a} {b} {c}" for a, b, c in (triangles + 1).tolist())]
     return "\n".join(lines) + "\n"

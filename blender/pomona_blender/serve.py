@@ -6,9 +6,10 @@ from pathlib import Path
 from typing import Any
 
 import bpy
+import numpy
 
 from .add_fruit import NeedsPomona, made, new_root
-from .frames import for_pomona
+from .frames import points_for_pomona
 from .orders import spelled
 from .scene_text import Serving, obj_text, scene_text
 
@@ -80,12 +81,10 @@ def renewed_scene(root: Any, context: Any) -> str:
     points, triangles = evaluated(dish, context)
     if fruit.way != "FILL":
         points, triangles = closed_below(points, triangles)
-    low = min(point[2] for point in points)
-    foot = (dish.matrix_world.translation.x, dish.matrix_world.translation.y, low)
+    foot = (dish.matrix_world.translation.x, dish.matrix_world.translation.y, float(points[:, 2].min()))
     root.location = foot
     context.view_layer.update()
-    below = [for_pomona([point[k] - foot[k] for k in range(3)]) for point in points]
-    mesh = obj_text(below, triangles, "dish")
+    mesh = obj_text(points_for_pomona(points - foot), triangles, "dish")
     text = scene_text(servings_of(fruit.servings), fruit.way, fruit.options.seed, "dish.obj")
     key = hashlib.sha256((mesh + text).encode()).hexdigest()[:16]
     folder = Path(bpy.app.tempdir, f"pomona-{key}")
@@ -94,19 +93,19 @@ def renewed_scene(root: Any, context: Any) -> str:
     return os.fspath(written(folder / "scene.toml", text))
 
 
-def closed_below(points: list[Any], triangles: list[Any]) -> tuple[list[Any], list[Any]]:
+def closed_below(points: Any, triangles: Any) -> tuple[Any, Any]:
     """A sheet that is open, as a hill of one side, with a bottom and walls: else what lies on it could be pressed
     through. What is closed stays as it is."""
-    sides = [(a, b) for triangle in triangles for a, b in zip(triangle, (*triangle[1:], triangle[0]))]
-    known = set(sides)
-    rim = [(a, b) for a, b in sides if (b, a) not in known]
-    if not rim:
+    count = len(points)
+    a, b = triangles.ravel(), numpy.roll(triangles, -1, axis=1).ravel()
+    is_rim = ~numpy.isin(a * count + b, b * count + a)
+    if not is_rim.any():
         return points, triangles
-    count, floor = len(points), min(point[2] for point in points) - 0.05
-    bottom = [(point[0], point[1], floor) for point in points]
-    walls = [wall for a, b in rim for wall in ((b, a, a + count), (b, a + count, b + count))]
-    below = [(c + count, b + count, a + count) for a, b, c in triangles]
-    return [*points, *bottom], [*triangles, *below, *walls]
+    a, b = a[is_rim], b[is_rim]
+    bottom = points.copy()
+    bottom[:, 2] = points[:, 2].min() - 0.05
+    walls = numpy.concatenate([numpy.stack([b, a, a + count], 1), numpy.stack([b, a + count, b + count], 1)])
+    return numpy.concatenate([points, bottom]), numpy.concatenate([triangles, triangles[:, ::-1] + count, walls])
 
 
 def written(path: Path, text: str) -> Path:
@@ -116,12 +115,14 @@ def written(path: Path, text: str) -> Path:
     return path
 
 
-def evaluated(thing: Any, context: Any) -> tuple[list[Any], list[Any]]:
-    """Points in the world and triangles of an object with its modifiers."""
+def evaluated(thing: Any, context: Any) -> tuple[Any, Any]:
+    """Of an object with its modifiers: points in the world, n x 3, and triangles, m x 3."""
     whole = thing.evaluated_get(context.evaluated_depsgraph_get())
     mesh = whole.to_mesh()
     mesh.calc_loop_triangles()
-    points = [thing.matrix_world @ vertex.co for vertex in mesh.vertices]
-    triangles = [tuple(triangle.vertices) for triangle in mesh.loop_triangles]
+    points, triangles = numpy.empty(3 * len(mesh.vertices)), numpy.empty(3 * len(mesh.loop_triangles), numpy.int64)
+    mesh.vertices.foreach_get("co", points)
+    mesh.loop_triangles.foreach_get("vertices", triangles)
     whole.to_mesh_clear()
-    return points, triangles
+    place = numpy.array(thing.matrix_world)
+    return points.reshape(-1, 3) @ place[:3, :3].T + place[:3, 3], triangles.reshape(-1, 3)

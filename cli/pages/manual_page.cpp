@@ -82,7 +82,7 @@ The OpenGL to use: device, surfaceless or osmesa. Unless said, the first that wo
 If set, errors are not coloured.
 .SH SEE ALSO
 The documents under share/doc/pomona/docs: reference/commands.md says more of every option, and lists the exit statuses;
-guides/python.md tells how Python does the same.
+guides/python.md and guides/blender.md tell how Python and Blender do the same.
 )";
 
 }  // namespace

@@ -11,14 +11,14 @@ namespace pomona {
 namespace {
 
 constexpr std::pair<std::string_view, Tissue> usual[] = {
-    {"gel", Tissue::gel},       {"aril", Tissue::gel},    {"skin", Tissue::skin},      {"capsule", Tissue::skin},
-    {"rind", Tissue::pith},     {"pith", Tissue::pith},   {"membrane", Tissue::pith},  {"core", Tissue::pith},
-    {"white", Tissue::pith},    {"fat", Tissue::pith},    {"placenta", Tissue::pith},  {"stem", Tissue::leaf},
-    {"calyx", Tissue::leaf},    {"leaf", Tissue::leaf},   {"crown", Tissue::leaf},     {"root", Tissue::leaf},
-    {"seed", Tissue::seed},     {"achene", Tissue::seed}, {"stone", Tissue::seed},     {"coat", Tissue::seed},
-    {"kernel", Tissue::seed},   {"shell", Tissue::shell}, {"ground", Tissue::mineral}, {"lava", Tissue::mineral},
-    {"magma", Tissue::mineral}, {"ash", Tissue::mineral}, {"strata", Tissue::mineral}, {"dish", Tissue::mineral},
-    {"bowl", Tissue::mineral}};
+    {"gel", Tissue::gel},      {"aril", Tissue::gel},      {"skin", Tissue::skin},     {"capsule", Tissue::skin},
+    {"flavedo", Tissue::skin}, {"rind", Tissue::pith},     {"pith", Tissue::pith},     {"membrane", Tissue::pith},
+    {"core", Tissue::pith},    {"white", Tissue::pith},    {"fat", Tissue::pith},      {"placenta", Tissue::pith},
+    {"stem", Tissue::leaf},    {"calyx", Tissue::leaf},    {"leaf", Tissue::leaf},     {"crown", Tissue::leaf},
+    {"root", Tissue::leaf},    {"seed", Tissue::seed},     {"achene", Tissue::seed},   {"stone", Tissue::seed},
+    {"coat", Tissue::seed},    {"kernel", Tissue::seed},   {"shell", Tissue::shell},   {"ground", Tissue::mineral},
+    {"lava", Tissue::mineral}, {"magma", Tissue::mineral}, {"ash", Tissue::mineral},   {"strata", Tissue::mineral},
+    {"dish", Tissue::mineral}, {"bowl", Tissue::mineral},  {"glaze", Tissue::mineral}, {"clay", Tissue::mineral}};
 
 /// Ways in millimetres. Flesh and pith are the apple and the potato of Jensen et al. 2001 ("A practical model for
 /// subsurface light transport", figure 5): 1 / sqrt(3 sigma_a (sigma_a + sigma_s')). The others are estimates by eye,

@@ -3,8 +3,7 @@
 
     addon_test.py PROGRAM ADDON_FOLDER SCRATCH [--module FOLDER] [--window]
 
-ADDON_FOLDER gets the .zip if it is not there. --module tries it by the Python package in FOLDER, too; --window in a
-window under Xvfb."""
+ADDON_FOLDER gets the .zip. --module tries it by the Python package in FOLDER, too; --window in a window under Xvfb."""
 
 import argparse
 import ast
@@ -23,35 +22,37 @@ sys.path.insert(0, str(HERE.parents[1] / "blender"))
 import make_addon  # noqa: E402
 
 parser = argparse.ArgumentParser()
-for name in ("program", "addon_folder", "scratch"):
+for name in ("program", "addon_folder", "scratch", "--module"):
     parser.add_argument(name, type=lambda word: pathlib.Path(word).resolve())
-parser.add_argument("--module", type=lambda word: pathlib.Path(word).resolve())
 parser.add_argument("--window", action="store_true")
 said = parser.parse_args()
+PROGRAM, MODULES = said.program, [said.module] if said.module else []
 
 
 def packed():
     """The .zip, made anew: it takes ten seconds."""
     said.addon_folder.mkdir(parents=True, exist_ok=True)
-    path = said.addon_folder / f"pomona_blender-{make_addon.version_of(str(said.program))}.zip"
-    make_addon.pack(make_addon.contents(str(said.program)), path)
+    path = said.addon_folder / f"pomona_blender-{make_addon.version_of(str(PROGRAM))}.zip"
+    make_addon.pack(make_addon.contents(str(PROGRAM)), path)
     return path
 
 
 ADDON = packed()
 
 
-def blender(script, *words, before=("blender", "-b"), name="", seconds=300):
-    """Runs a script in a Blender with a home of its own. Blender's Python looks along PATH for its own home: no other
-    Python may stand there first."""
-    home = said.scratch / f"home_{name}"
-    shutil.rmtree(home, ignore_errors=True)
-    home.mkdir(parents=True)
+def blender(script, *words, before=("blender", "-b"), name="", seconds=1800):
+    """Runs a script in a Blender with a home and an empty folder of its own. Blender's Python looks along PATH for its
+    own home: no other Python may stand there first."""
+    home, folder = said.scratch / f"home_{name}", said.scratch / name
+    for clean in (home, folder):
+        shutil.rmtree(clean, ignore_errors=True)
+        clean.mkdir(parents=True)
     environment = {key: value for key, value in os.environ.items() if not key.startswith(("BLENDER", "XDG", "PYTHON"))}
-    environment |= {"HOME": str(home), "PATH": "/usr/bin:/bin", "LIBGL_ALWAYS_SOFTWARE": "1"}
+    environment |= {"HOME": str(home), "PATH": "/usr/bin:/bin", "LIBGL_ALWAYS_SOFTWARE": "1",
+                    "LP_NUM_THREADS": "0"}
     flags = ["--factory-startup", "--python-exit-code", "1", "-t", "2", "-P", HERE / script, "--"]
-    return subprocess.run([*before, *flags, ADDON, said.program, said.scratch / name, *words], capture_output=True,
-                          text=True, timeout=seconds, env=environment)
+    return subprocess.run([*before, *flags, ADDON, PROGRAM, folder, *words], capture_output=True, text=True,
+                          timeout=seconds, env=environment, cwd=folder)
 
 
 class Addon(unittest.TestCase):
@@ -64,7 +65,7 @@ class Addon(unittest.TestCase):
             self.assertEqual({name.split("/")[0] for name in names}, {"pomona_blender"}, "one folder")
             opening = files.read("pomona_blender/__init__.py").decode()
             manifest = files.read("pomona_blender/blender_manifest.toml").decode()
-        version = make_addon.version_of(str(said.program))
+        version = make_addon.version_of(str(PROGRAM))
         tree = next(node for node in ast.parse(opening).body if isinstance(node, ast.Assign))
         info = ast.literal_eval(tree.value)  # as Blender reads it, without running it
         self.assertEqual(".".join(map(str, info["version"])), version)
@@ -72,10 +73,11 @@ class Addon(unittest.TestCase):
 
         told = tomllib.loads(manifest)
         self.assertEqual((told["version"], told["id"], told["type"]), (version, "pomona_blender", "add-on"))
-        self.assertLessEqual(len(told["tagline"]), 64)
-        self.assertFalse(re.search(r"[.!?]$", told["tagline"]), "as the extensions' checker wants it")
+        for words in (told["tagline"], *told["permissions"].values()):  # as the extensions' checker wants it
+            self.assertLessEqual(len(words), 64)
+            self.assertFalse(re.search(r"[.!?]$", words))
         self.assertLessEqual({"schema_version", "name", "maintainer", "blender_version_min", "license"}, set(told))
-        listed = subprocess.run([said.program, "list"], capture_output=True, text=True, check=True).stdout
+        listed = subprocess.run([PROGRAM, "list"], capture_output=True, text=True, check=True).stdout
         pictures = {name.rsplit("/", 1)[1][:-4] for name in names if name.endswith(".png")}
         self.assertEqual(pictures, {line.split("\t")[0] for line in listed.splitlines()})
 
@@ -90,12 +92,17 @@ class Addon(unittest.TestCase):
 
     @unittest.skipUnless(said.module, "--module")
     def test_by_the_module(self):
-        self.assert_passed(blender("in_blender.py", said.module, name="module"))
+        self.assert_passed(blender("in_blender.py", *MODULES, name="module"))
 
     @unittest.skipUnless(said.window, "--window")
     def test_in_a_window(self):
-        self.assert_passed(blender("in_window.py", name="window", before=(
-            "xvfb-run", "-a", "-s", "-screen 0 1280x800x24", "blender")))
+        for words in ([], *([one] for one in MODULES)):
+            name = "window_module" if words else "window_program"
+            # A small window: no card draws it.
+            before = ("xvfb-run", "-a", "-s", "-screen 0 640x480x24", "blender", "-p", "0", "0", "640", "480")
+            done = blender("in_window.py", *words, name=name, before=before)
+            self.assert_passed(done)
+            print(name, *[line for line in done.stdout.splitlines() if line.startswith("held up")])
 
 
 if __name__ == "__main__":

@@ -4,13 +4,16 @@
 
 FOLDER is scratch. With MODULE_FOLDER, which holds the Python package pomona, the add-on works by that."""
 
+import ast
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import time
 import unittest
+import urllib.request
 
 import bpy
 import numpy
@@ -24,9 +27,14 @@ bpy.ops.preferences.addon_install(filepath=ADDON, overwrite=True)
 bpy.ops.preferences.addon_enable(module="pomona_blender")
 
 import pomona_blender  # noqa: E402
-from pomona_blender import build_objects, flat_faces, glb_file, option_table, orders, settings  # noqa: E402
+from pomona_blender import build_objects, flat_faces, glb_file, option_table, orders, settings, studio  # noqa: E402
 from pomona_blender.keeper import keeper  # noqa: E402
 from pomona_blender.workshop import open_workshop, workshop  # noqa: E402
+
+
+SOURCE = pathlib.Path(__file__).parents[2]
+DOCUMENTS = [re.search(r"(?ms)^In Blender, after.*?^<!-- gallery", (SOURCE / "README.md").read_text())[0],
+             (SOURCE / "docs/guides/blender.md").read_text()]
 
 
 def told_by_program(*words):
@@ -296,6 +304,102 @@ class InBlender(unittest.TestCase):
         text = (FOLDER / "loaf.toml").read_text()
         (FOLDER / "loaf.toml").write_text(text + "\n# edited\n")
         self.assertNotEqual(settings.order_of(root, workshop().asked).key, made, "an edited template is made anew")
+
+    def test_a_template_file_is_followed(self):
+        folder = FOLDER / "own"
+        folder.mkdir(exist_ok=True)
+        self.assertEqual(bpy.ops.pomona.open_template(filepath=str(self.drawn_copy(folder))), {"FINISHED"})
+        root = bpy.context.object
+        self.assertEqual((root.name, len(pieces(root))), ("cherry", 1))
+        self.edit_and_follow(root, folder)
+
+    def test_the_studio_draws_a_copy_that_is_followed(self):
+        folder = FOLDER / "studio"
+        folder.mkdir(exist_ok=True)
+        root = add("cherry", knives="half")
+        bpy.ops.wm.save_as_mainfile(filepath=str(folder / "fruit.blend"))
+        root = next(settings.roots())
+        bpy.context.view_layer.objects.active = root
+        self.assertEqual(bpy.ops.pomona.studio(), {"FINISHED"})
+        copy = self.drawn_copy(folder)
+        self.assertEqual(root.pomona.what, "cherry", "there is no copy before it is saved")
+        tick_until(lambda: root.pomona.what == str(copy) and not keeper().is_busy)
+        self.assertIn(str(copy), root.pomona.made)
+        self.edit_and_follow(root, folder)
+        bpy.context.view_layer.objects.active = root
+        with self.assertRaisesRegex(RuntimeError, "did not start: error: .*hint: go on in its window"):
+            bpy.ops.pomona.studio()
+
+    def drawn_copy(self, folder):
+        """The cherry's template as the studio saves it for a browser."""
+        address = next((one.address for one in studio._studios), None)
+        if address is None:
+            opened = studio.open_studio(str(PROGRAM), "cherry", folder, shows=False)
+            self.addCleanup(studio.end_studios)
+            opened.wait()
+            address = opened.address
+        self.addCleanup(studio.end_studios)
+        at, token = address.split("/?token=")
+
+        def told(path, said=None):
+            data = json.dumps(said).encode() if said is not None else None
+            head = {"X-Pomona-Token": token, "Content-Type": "application/json"}
+            asked = urllib.request.Request(at + path, data, head)
+            with urllib.request.urlopen(asked, timeout=20) as answer:
+                return json.load(answer)
+
+        told("/api/save", {"seen": told("/api/document")["version"]})
+        return folder / "cherry.toml"
+
+    def edit_and_follow(self, root, folder):
+        """Another fruit grows once the file says so, though nothing moves in Blender."""
+        tick_until(lambda: not keeper().is_busy)
+        count, file = len(pieces(root)[0].data.vertices), folder / "cherry.toml"
+        made = root.pomona.made
+        file.write_text(file.read_text().replace("around = 128", "around = 40"))
+        tick_until(lambda: root.pomona.made != made and not keeper().is_busy)
+        self.assertLess(len(pieces(root)[0].data.vertices), count, root.pomona.message)
+        made = root.pomona.made
+        os.utime(file.with_suffix(".svg"))
+        tick_until(lambda: root.pomona.made != made)
+
+    def test_documents_name_what_is_there(self):
+        """Each word in italics of the README's quick start and of the guide is one that people see in Blender."""
+        seen = {"Edit", "Preferences", "Add-ons", "Install", "Add", "Mesh"}  # Blender's own
+        seen |= {one.title for one in workshop().templates}
+        package = pathlib.Path(pomona_blender.__file__).parent
+        for file in package.glob("*.py"):
+            seen |= {node.value.removesuffix("...") for node in ast.walk(ast.parse(file.read_text()))
+                     if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+        seen |= {prop.name for prop in add("cherry").pomona.options.bl_rna.properties}
+        seen |= {"Fill a Dish"}  # how the panel's title begins
+        for document in DOCUMENTS:
+            italics = re.findall(r"(?<!\*)\*([A-Z][^*]+)\*(?!\*)", document)
+            said = {" ".join(word.split()) for words in italics for word in re.split(r",\s", words)}
+            self.assertGreater(len(said), 8)
+            self.assertLessEqual(said - {"Fill a Dish", "Strew over a Mesh"}, seen)
+
+    def test_quick_start_of_the_readme(self):
+        """Its lines in turn, by the same operators and settings that its words name."""
+        self.assertEqual(len(re.findall(r"(?m)^\d\. ", DOCUMENTS[0])), 6, "lines")
+        root = add("tomato")
+        root.pomona.options.seed, root.pomona.options.ripeness = 3, 0.4
+        tick_until(lambda: "--seed 3 --ripeness 0.4" in root.pomona.made and not keeper().is_busy)
+        bpy.ops.pomona.add_knife(is_plane=True)
+        root.pomona.knives[0].plane.location.x += 0.01
+        bpy.context.view_layer.update()
+        tick_until(lambda: not keeper().is_busy)
+        self.assertEqual(len(pieces(root)), 2)
+        bpy.ops.pomona.another_seed()
+        self.assertIn("--seed 4", root.pomona.made)
+        root.pomona.options.texture = 1024
+        tick_until(lambda: "--texture 1024" in root.pomona.made and not keeper().is_busy, seconds=120)
+        self.drawn_color("quick_start")
+        bowl()
+        bpy.ops.pomona.add_serving()
+        bpy.context.scene.pomona_servings[0].template = "cherry"
+        self.assertEqual(bpy.ops.pomona.serve(way="FILL"), {"FINISHED"})
+        self.assertEqual(len(pieces(bpy.context.object)), 4)
 
     def test_what_is_saved_is_there_again(self):
         root = add("cherry", knives="half", seed=7, texture=64)

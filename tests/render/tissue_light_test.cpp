@@ -9,6 +9,8 @@ namespace {
 TEST(TissueLight, GoesByThePartsNameWhereNothingIsSaid) {
   EXPECT_EQ(usual_tissue("gel"), Tissue::gel);
   EXPECT_EQ(usual_tissue("calyx"), Tissue::leaf);
+  EXPECT_EQ(usual_tissue("flavedo"), Tissue::skin);
+  EXPECT_EQ(usual_tissue("glaze"), Tissue::mineral) << "of a bowl";
   EXPECT_EQ(usual_tissue("layer"), Tissue::flesh);
   const TissueLight flesh = tissue_light({}, "flesh"), seed = tissue_light({}, "seed");
   EXPECT_GT(flesh.weight, seed.weight);
