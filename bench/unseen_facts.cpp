@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/cut/cut.h"
+#include "generator/cut/section/section_crumbs.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/mesh/disjoint_sets.h"
@@ -59,7 +60,8 @@ FaceFacts face_facts(const GrownFruit& grown, const char* knife, const Diffuser&
   const std::vector<Knife> knives{parse_knife(knife)};
   CutOptions options = coarse_cut;
   options.threads = {1};
-  const CrossSection section = colored(cut(grown.sheets, knives, options).section, grown.sheets, diffuser);
+  const CrossSection section =
+      without_crumbs(colored(cut(grown.sheets, knives, options).section, grown.sheets, diffuser));
   FaceFacts facts;
   for (const glm::uvec3& t : section.triangle) facts.area += area_of(section, t);
   for (const glm::uvec3& t : section.triangle) {

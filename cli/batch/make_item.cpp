@@ -26,7 +26,7 @@ constexpr Threads alone{1};  ///< one thread makes an item; a batch makes many i
 /// A thumbnail shows the pieces elsewhere; their meshes are the same, but for a peel that hangs.
 std::string thumbnail(const Scene& scene, const std::vector<StyledMesh>& meshes, const AssetOptions& assets,
                       const ExportOptions& options) {
-  const Scene laid = laid_out(scene, 1);
+  const Scene laid = laid_out(without_crumbs(scene), 1);
   const bool is_bent = !std::equal(laid.solids.begin(), laid.solids.end(), scene.solids.begin(), scene.solids.end(),
                                    [](const Solid& a, const Solid& b) { return a.mesh.position == b.mesh.position; });
   return write_png(draw_thumbnail(laid, is_bent ? styled_meshes(laid, options) : meshes, options.style,

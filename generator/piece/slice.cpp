@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/parallel.h"
+#include "generator/cut/section/section_crumbs.h"
 #include "generator/mesh/box.h"
 #include "generator/piece/brown.h"
 #include "generator/piece/guided.h"
@@ -201,9 +202,13 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
     slices.times.time("style", [&] {
       slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant, options.threads),
                              task.grown.swept, task.variant, options.threads, task.grown.skin.get());
-      if (!options.pieces) return;
-      fruits[i].cut.pieces = browned(std::move(fruits[i].cut.pieces), task.grown.sheets, task.variant);
-      slices.pieces = finished(fruits[i], slices.styled, task, diffuser, options);
+      if (options.pieces) {
+        fruits[i].cut.pieces = browned(std::move(fruits[i].cut.pieces), task.grown.sheets, task.variant);
+        slices.pieces = finished(fruits[i], slices.styled, task, diffuser, options);
+      }
+      if (task.crumbs) return;
+      slices.section = without_crumbs(std::move(slices.section));
+      slices.styled = without_crumbs(std::move(slices.styled));
     });
     if (options.one_done) options.one_done();
   });

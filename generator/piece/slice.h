@@ -31,7 +31,8 @@ struct SliceTask {
   std::string name = "fruit";              ///< prefix of the pieces' names
   std::optional<PieceChoice> choice = {};  ///< nothing = all pieces
   PieceOrigin origin = {};                 ///< origin of the variant; slice() adds how the pieces were cut
-  bool crumbs = false;                     ///< keep crumbs: together they are less than CutOptions::crumb
+  bool crumbs = false;                     ///< keep crumbs: pieces that together are less than CutOptions::crumb, and
+                                           ///< those of the section (section_crumbs.h)
 };
 
 struct SliceOptions {
@@ -44,7 +45,7 @@ struct SliceOptions {
 };
 
 struct Slices {
-  CrossSection section;               ///< with the diffused colours
+  CrossSection section;               ///< with the diffused colours, without crumbs
   CrossSection styled;                ///< the same, browned and with guides: as the pieces show it
   std::vector<Solid> pieces;          ///< in the order in which they were cut
   std::size_t piece_count = 0;        ///< number of pieces, also if SliceOptions::pieces is false

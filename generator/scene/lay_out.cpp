@@ -222,6 +222,20 @@ Tray tray_of(const Scene& table, bool diagonal, double hidden_share) {
 
 }  // namespace
 
+Scene without_crumbs(Scene pieces) {
+  constexpr double of_all = 1.0 / 2500, of_mean = 1.0 / 20;
+  const auto solid = [&](const Instance& piece) -> const Solid& {
+    return pieces.solids[static_cast<std::size_t>(piece.solid)];
+  };
+  double all = 0;
+  for (const Instance& piece : pieces.instances) all += solid(piece).volume;
+  const double mean = all / static_cast<double>(std::max<std::size_t>(1, pieces.instances.size()));
+  const double crumb = std::min(of_all * all, of_mean * mean);
+  std::erase_if(pieces.instances,
+                [&](const Instance& piece) { return solid(piece).closed && solid(piece).volume < crumb; });
+  return pieces;
+}
+
 Scene laid_out(const Scene& scene, double aspect) {
   Scene table = scene;
   table.ground = true;

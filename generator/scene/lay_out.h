@@ -12,4 +12,9 @@ namespace pomona {
 /// over its height.
 Scene laid_out(const Scene& scene, double aspect = 4.0 / 3);
 
+/// The pieces of one fruit without those that are specks beside the others in a row: below 1/2500 of all together, and
+/// below a twentieth of the mean. Their solids stay; they have no instance. Open pieces, whose volume says little,
+/// stay.
+Scene without_crumbs(Scene pieces);
+
 }  // namespace pomona

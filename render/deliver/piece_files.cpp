@@ -70,14 +70,15 @@ Delivered piece_files(SceneViews pieces, const OrderedFruit& fruit, const Order&
   const bool apart = order.cut.explode > 1;
   const Scene moved = apart ? exploded(in_place, order.cut.explode) : Scene();
   const bool has_models = any_is(order.outputs, model_formats), is_welded = has_models && order.mesh.welded;
-  std::optional<Scene> shown, welded;
-  if (any_is(order.outputs, picture_formats) || (has_models && !is_welded))
-    shown = apart ? standing(moved) : laid_out(in_place, picture_aspect(order, how));
-  if (is_welded) welded = standing(in_place);
-  const Scene* modelled = welded ? &*welded : shown ? &*shown : nullptr;
+  const auto on_table = [&](const Scene& whole) {
+    return apart ? standing(moved) : laid_out(whole, picture_aspect(order, how));
+  };
+  std::optional<Scene> shown, modelled;
+  if (any_is(order.outputs, picture_formats)) shown = on_table(order.cut.crumbs ? in_place : without_crumbs(in_place));
+  if (has_models) modelled = is_welded ? standing(in_place) : on_table(in_place);
   delivered.add(files({.placed = apart ? moved : in_place,
                        .shown = shown ? &*shown : nullptr,
-                       .modelled = modelled,
+                       .modelled = modelled ? &*modelled : nullptr,
                        .variants = pieces.variants,
                        .plate_text = PlateText{fruit.fruit.title, fruit.fruit.latin},
                        .meshes = pieces.meshes},

@@ -125,6 +125,37 @@ TEST(Slice, LeavesOutCrumbsThatAreLessThanOneTogether) {
   EXPECT_LT(gone, 1e-6 * whole);
 }
 
+/// What a knife meets of a root hair beside the fruit is a speck of its section, but still a part of its half.
+TEST(Slice, LeavesCrumbsOutOfTheSectionAndNothingOutOfPieces) {
+  const auto ball = [](double radius, double x) {
+    return shapes::moved(shapes::sphere(radius, 8, shapes::skin_paint()), {x, 0, 0});
+  };
+  const DiffusionSurfaces whole = joined(joined(ball(0.05, 0), ball(0.0008, 0.055)), ball(0.004, -0.055));
+  const GrownFruit grown{whole, {}, whole};
+  const std::vector<Knife> knives{parse_knife("half")};
+  const Template plain;
+  const SliceTask without{.grown = grown, .variant = plain, .knives = knives, .name = "bulb"};
+  SliceTask with = without;
+  with.crumbs = true;
+  const Slices left = slice(without, nullptr), kept = slice(with, nullptr);
+  const auto farthest = [](const CrossSection& section) {
+    std::pair<float, float> ends{0, 0};
+    for (const glm::vec3& p : section.position) ends = {std::min(ends.first, p.x), std::max(ends.second, p.x)};
+    return ends;
+  };
+  EXPECT_NEAR(farthest(kept.section).second, 0.0558, 1e-5);
+  for (const CrossSection* section : {&left.section, &left.styled}) {
+    EXPECT_LT(farthest(*section).second, 0.0501) << "the hair";
+    EXPECT_NEAR(farthest(*section).first, -0.059, 1e-4) << "the seed is no crumb";
+  }
+  ASSERT_EQ(left.pieces.size(), kept.pieces.size());
+  for (std::size_t i = 0; i < left.pieces.size(); ++i) {
+    EXPECT_EQ(left.pieces[i].volume, kept.pieces[i].volume);
+    EXPECT_EQ(left.pieces[i].mesh.position, kept.pieces[i].mesh.position);
+    EXPECT_TRUE(left.pieces[i].closed);
+  }
+}
+
 TEST(Slice, DiffusesOnlyWhatChosenPiecesShow) {
   const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
   const GrownFruit grown{ball, {}, ball};

@@ -275,6 +275,21 @@ TEST(LaidOut, APointStandsAsItGrew) {
   EXPECT_GT((pose.rotation * glm::dvec3(0, 1, 0)).y, 1 - 1e-9);
 }
 
+/// Slices of a stalk are specks beside a fruit's; in a row of dice as small as they are, they are pieces.
+TEST(LaidOut, SpecksHaveNoPlaceInARow) {
+  const auto pieces = [](int large, int small) {
+    Scene scene = gathered(std::vector<Solid>(static_cast<std::size_t>(large + small)));
+    for (int i = 0; i < large + small; ++i) scene.solids[static_cast<std::size_t>(i)].volume = i < large ? 1e-4 : 1e-8;
+    return scene;
+  };
+  EXPECT_EQ(without_crumbs(pieces(2, 3)).instances.size(), 2u);
+  EXPECT_EQ(without_crumbs(pieces(2, 3)).solids.size(), 5u);
+  EXPECT_EQ(without_crumbs(pieces(0, 5000)).instances.size(), 5000u);
+  Scene open = pieces(2, 1);
+  open.solids.back().closed = false;
+  EXPECT_EQ(without_crumbs(open).instances.size(), 3u);
+}
+
 TEST(LaidOut, NothingIsNothing) { EXPECT_TRUE(laid_out(Scene{}).instances.empty()); }
 
 }  // namespace
