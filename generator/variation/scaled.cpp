@@ -33,12 +33,18 @@ void scale(SurfaceSketch& surface, double factor) {
   scale(surface.back, factor);
 }
 
+void scale(GrainVolume& volume, double factor) {
+  for (double* length : {&volume.from, &volume.to, &volume.wall, &volume.apart}) *length *= factor;
+  for (auto& stop : volume.near_skin.stops) stop.at *= factor;
+}
+
 void scale(GrainSketch& grain, double factor) {
   grain.spacing.poisson_radius *= factor;
   grain.form.length *= factor;
   grain.form.width *= factor;
   grain.form.thickness *= factor;
   grain.stance.sink *= factor;
+  if (grain.volume) scale(*grain.volume, factor);
   grain.blur *= factor;
   scale(grain.front, factor);
   scale(grain.back, factor);
