@@ -33,6 +33,15 @@ void scale(SurfaceSketch& surface, double factor) {
   scale(surface.back, factor);
 }
 
+void scale(SheetSketch& sheet, double factor) {
+  scale(sheet.inner, factor);
+  scale(sheet.outer, factor);
+  scale(sheet.thickness, factor);
+  scale(sheet.rib.height, factor);
+  for (double* length : {&sheet.ruffle.height, &sheet.gap, &sheet.stand_off, &sheet.sway, &sheet.blur})
+    *length *= factor;
+}
+
 void scale(GrainVolume& volume, double factor) {
   for (double* length : {&volume.from, &volume.to, &volume.wall, &volume.apart}) *length *= factor;
   for (auto& stop : volume.near_skin.stops) stop.at *= factor;
@@ -71,6 +80,7 @@ void scale(MeshSketch& mesh, double factor) {
 
 Template scaled(Template fruit, double factor) {
   for (SurfaceSketch& surface : fruit.surfaces) scale(surface, factor);
+  for (SheetSketch& sheet : fruit.sheets) scale(sheet, factor);
   for (LawSketch& law : fruit.laws) scale(law.spacing, factor);
   for (GrainSketch& grain : fruit.grains) scale(grain, factor);
   for (MeshSketch& mesh : fruit.meshes) scale(mesh, factor);

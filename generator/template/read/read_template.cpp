@@ -12,6 +12,7 @@
 #include "generator/template/read/read_material.h"
 #include "generator/template/read/read_mesh.h"
 #include "generator/template/read/read_ripeness.h"
+#include "generator/template/read/read_sheets.h"
 #include "generator/template/read/read_spared.h"
 #include "generator/template/read/read_style.h"
 #include "generator/template/read/read_surface.h"
@@ -154,17 +155,15 @@ void check_symmetry(const TomlTable& root, const Template& fruit) {
 
 /// Moves all vertical curves up or down so that the lowest drawn point is at y = 0.
 /// \return where that was
-double set_on_ground(std::vector<SurfaceSketch>& surfaces) {
-  bool found = false;
-  double lowest = 0;
-  for (const SurfaceSketch& surface : surfaces) {
-    for (const glm::dvec2& p : surface.vertical.points) {
-      lowest = found ? std::min(lowest, p.y) : p.y;
-      found = true;
-    }
-  }
-  for (SurfaceSketch& surface : surfaces) {
-    for (glm::dvec2& p : surface.vertical.points) p.y -= lowest;
+double set_on_ground(Template& fruit) {
+  const double lowest = drawn_heights(fruit).low;
+  const auto lower = [&](Curve& curve) {
+    for (glm::dvec2& p : curve.points) p.y -= lowest;
+  };
+  for (SurfaceSketch& surface : fruit.surfaces) lower(surface.vertical);
+  for (SheetSketch& sheet : fruit.sheets) {
+    lower(sheet.inner);
+    lower(sheet.outer);
   }
   return lowest;
 }
@@ -221,7 +220,8 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
   CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
   if (root.has("law")) fruit.laws = read_laws(root.get("law").table());
   fruit.surfaces = read_surfaces(root, SketchSurfaceReader(curves, fruit.parts, fruit.symmetry, names_of(fruit.laws)));
-  place_views(sketch, unit, set_on_ground(fruit.surfaces), drawn);
+  fruit.sheets = read_sheets(root, curves, fruit);
+  place_views(sketch, unit, set_on_ground(fruit), drawn);
   fruit.meshes = read_meshes(root, fruit);
   check_symmetry(root, fruit);
 
