@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/template/grain_volume.h"
 #include "generator/template/side.h"
 
 namespace pomona {
@@ -89,10 +90,13 @@ struct GrainCore {
 };
 
 /// Grains (seeds) over one surface: scattered by dart throwing (paper, section 4, step 2), or at the seats of a law.
+/// Or grains inside of it.
 struct GrainSketch {
   std::string name;
-  int surface = 0;       ///< index into Template::surfaces
-  bool on_front = true;  ///< which side they sit on and point away from
+  std::optional<GrainVolume> volume = {};  ///< they fill the surface: ground, spacing and stance do not count, and
+                                           ///< the form is that of the largest
+  int surface = 0;                         ///< index into Template::surfaces
+  bool on_front = true;                    ///< which side they sit on and point away from
   GrainGround ground;
   GrainSpacing spacing;
   GrainForm form;

@@ -7,11 +7,16 @@ namespace pomona {
 HeightRange drawn_heights(const Template& fruit) {
   HeightRange range;
   bool found = false;
-  for (const SurfaceSketch& surface : fruit.surfaces) {
-    for (const glm::dvec2& p : surface.vertical.points) {
+  const auto add = [&](const Curve& curve) {
+    for (const glm::dvec2& p : curve.points) {
       range = found ? HeightRange{std::min(range.low, p.y), std::max(range.high, p.y)} : HeightRange{p.y, p.y};
       found = true;
     }
+  };
+  for (const SurfaceSketch& surface : fruit.surfaces) add(surface.vertical);
+  for (const SheetSketch& sheet : fruit.sheets) {
+    add(sheet.inner);
+    add(sheet.outer);
   }
   return range;
 }

@@ -19,6 +19,7 @@
 #include "generator/template/place_sketch.h"
 #include "generator/template/proportions.h"
 #include "generator/template/ripeness_sketch.h"
+#include "generator/template/sheet_sketch.h"
 #include "generator/template/surface_sketch.h"
 #include "generator/template/variation_sketch.h"
 
@@ -46,8 +47,9 @@ struct Template {
   Symmetry symmetry;
   std::vector<std::string> parts;
   std::vector<SurfaceSketch> surfaces;
-  std::vector<MeshSketch> meshes;  ///< after the drawn surfaces
-  std::vector<LawSketch> laws;     ///< by which grains and spots may sit
+  std::vector<SheetSketch> sheets;  ///< after the drawn surfaces
+  std::vector<MeshSketch> meshes;   ///< after the sheets
+  std::vector<LawSketch> laws;      ///< by which grains and spots may sit
   std::vector<GrainSketch> grains;
   std::vector<PlaceSketch> places;
   AxisBend bend;                          ///< the axis, along which curves are drawn straight

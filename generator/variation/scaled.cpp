@@ -33,12 +33,27 @@ void scale(SurfaceSketch& surface, double factor) {
   scale(surface.back, factor);
 }
 
+void scale(SheetSketch& sheet, double factor) {
+  scale(sheet.inner, factor);
+  scale(sheet.outer, factor);
+  scale(sheet.thickness, factor);
+  scale(sheet.rib.height, factor);
+  for (double* length : {&sheet.ruffle.height, &sheet.gap, &sheet.stand_off, &sheet.sway, &sheet.blur})
+    *length *= factor;
+}
+
+void scale(GrainVolume& volume, double factor) {
+  for (double* length : {&volume.from, &volume.to, &volume.wall, &volume.apart}) *length *= factor;
+  for (auto& stop : volume.near_skin.stops) stop.at *= factor;
+}
+
 void scale(GrainSketch& grain, double factor) {
   grain.spacing.poisson_radius *= factor;
   grain.form.length *= factor;
   grain.form.width *= factor;
   grain.form.thickness *= factor;
   grain.stance.sink *= factor;
+  if (grain.volume) scale(*grain.volume, factor);
   grain.blur *= factor;
   scale(grain.front, factor);
   scale(grain.back, factor);
@@ -85,6 +100,7 @@ void scale(PlaceSketch& place, double factor) {
 
 Template scaled(Template fruit, double factor) {
   for (SurfaceSketch& surface : fruit.surfaces) scale(surface, factor);
+  for (SheetSketch& sheet : fruit.sheets) scale(sheet, factor);
   for (LawSketch& law : fruit.laws) scale(law, factor);
   for (GrainSketch& grain : fruit.grains) scale(grain, factor);
   for (PlaceSketch& place : fruit.places) scale(place, factor);

@@ -22,10 +22,16 @@ double azimuth_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
   return reproducible::atan2(-sum.z, sum.x);
 }
 
+/// The swept surfaces, unpainted, without their sheets: those cross nothing but what they grow from, by construction.
+DiffusionSurfaces bare(Template fruit) {
+  for (SheetSketch& sheet : fruit.sheets) sheet.count = 0;
+  return sweep(unpainted(std::move(fruit)));
+}
+
 /// The surfaces swept along a straight axis: only without a bend does an azimuth name a fold.
 DiffusionSurfaces straight(Template fruit) {
   fruit.bend = {};
-  return sweep(unpainted(std::move(fruit)));
+  return bare(std::move(fruit));
 }
 
 }  // namespace
@@ -62,7 +68,7 @@ class SweptCheck::Drawing {
 
   const KnownCrossings& as_drawn() const {
     if (drawn_.bend.is_straight()) return straight_;
-    std::call_once(bent_once_, [&] { bent_.emplace(sweep(unpainted(drawn_))); });
+    std::call_once(bent_once_, [&] { bent_.emplace(bare(drawn_)); });
     return *bent_;
   }
 
@@ -89,7 +95,7 @@ std::vector<double> SweptCheck::new_crossings(const Template& variant) const {
 }
 
 bool SweptCheck::crosses_anew(const Template& variant) const {
-  const std::set<CrossingKind> kinds = crossing_kinds(sweep(unpainted(variant)));
+  const std::set<CrossingKind> kinds = crossing_kinds(bare(variant));
   return !kinds.empty() && !drawing_->as_drawn().lacking(kinds).empty();
 }
 

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/surface/grains/grain_shape.h"
+
 namespace pomona {
 
 namespace {
@@ -13,40 +15,14 @@ constexpr int steps = 12;           // that a grain moves, for each of its sizes
 constexpr double clearance = 0.12;  // from a wall, in grains' smallest radii
 constexpr double overlap = 0.8;     // grains that moved may touch each other, but not beyond this share of their sizes
 
-GrainPose scaled(GrainPose pose, double factor) {
-  pose.thickness *= factor;
-  pose.length *= factor;
-  pose.width *= factor;
-  return pose;
-}
-
 double smallest_radius(const GrainPose& pose) {
   return std::min({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
-}
-
-/// How far a shape sticks out of the ellipsoid of its axes, as a factor of them (grain_shape.h).
-double bulge_of(const GrainForm& form) {
-  switch (form.shape) {
-    case GrainShape::disc:
-      return 1.12;
-    case GrainShape::rod:
-      return 1.19;
-    case GrainShape::bean:
-      return 1.22;
-    case GrainShape::cushion:
-      return 1.32;
-    case GrainShape::ellipsoid:
-    case GrainShape::lens:
-    case GrainShape::spindle:
-      break;
-  }
-  return 1;
 }
 
 /// The pose of an ellipsoid that holds the grain and its clearance. Drops are thicker at their blunt end.
 GrainPose with_clearance(GrainPose pose, const GrainForm& form) {
   const double more = clearance * smallest_radius(pose), blunt = 1 + 0.25 * form.pointedness;
-  pose = scaled(pose, bulge_of(form));
+  pose = scaled(pose, bulge_of(form.shape));
   pose.thickness *= blunt;
   pose.width *= blunt;
   for (glm::dvec3* axis : {&pose.thickness, &pose.length, &pose.width}) *axis *= 1 + more / glm::length(*axis);

@@ -46,6 +46,24 @@ glm::dvec3 shaped(GrainShape shape, const glm::dvec3& p) {
 
 }  // namespace
 
+double bulge_of(GrainShape shape) {
+  switch (shape) {
+    case GrainShape::disc:
+      return 1.12;
+    case GrainShape::rod:
+      return 1.19;
+    case GrainShape::bean:
+      return 1.22;
+    case GrainShape::cushion:
+      return 1.32;
+    case GrainShape::ellipsoid:
+    case GrainShape::lens:
+    case GrainShape::spindle:
+      break;
+  }
+  return 1;
+}
+
 SweptGrid unit_grain(const GrainForm& form) {
   // Vertices are points of the unit sphere, as the shape carries them, with their places in the ramps.
   const int around = std::max(3, form.around), rings = std::max(3, form.along);

@@ -9,4 +9,7 @@ namespace pomona {
 /// its vertices lie on the shape, which is the image of a sphere.
 SweptGrid unit_grain(const GrainForm& form);
 
+/// How far a shape sticks out of the ellipsoid of its axes, as a factor of them.
+double bulge_of(GrainShape shape);
+
 }  // namespace pomona

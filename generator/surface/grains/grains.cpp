@@ -9,9 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/gradient_noise.h"
 #include "generator/surface/grains/grain_colors.h"
 #include "generator/surface/grains/grain_room.h"
 #include "generator/surface/grains/grain_shape.h"
+#include "generator/surface/grains/volume_grains.h"
 #include "generator/surface/sweep/dart_throwing.h"
 #include "generator/surface/sweep/grid_painter.h"
 #include "generator/surface/sweep/law_seats.h"
@@ -46,6 +48,20 @@ double fruit_size(const Template& fruit) {
   return size;
 }
 
+/// Dents of one grain.
+struct GrainLumps {
+  double depth = 0;  ///< as a share of the radius
+  std::uint64_t number = 0;
+};
+
+/// A point of the grain, drawn in by its dents.
+glm::dvec3 dented(const glm::dvec3& p, const GrainLumps& lumps) {
+  constexpr double waves = 1.1;  // per radius: a few dents
+  const auto far = static_cast<double>(lumps.number % 65536);
+  const double noise = gradient_noise(p * waves + glm::dvec3(0.37, 17.31 * far, 0.61), 5);
+  return p * (1 - lumps.depth * std::clamp(0.5 + noise, 0.0, 1.0));
+}
+
 /// Copies of one painted grain.
 class GrainStamp {
  public:
@@ -54,10 +70,10 @@ class GrainStamp {
   }
 
   void append_to(DiffusionSurfaces& grains, const glm::dvec3& center, const GrainPose& pose, const GrainTint& tint,
-                 std::int32_t surface) const {
+                 std::int32_t surface, const GrainLumps& lumps = {}) const {
     const auto first = static_cast<std::uint32_t>(grains.vertex_count());
     for (std::size_t v = 0; v < shape_.position.size(); ++v) {
-      const glm::dvec3& p = shape_.position[v];
+      const glm::dvec3 p = lumps.depth > 0 ? dented(shape_.position[v], lumps) : shape_.position[v];
       grains.position.emplace_back(center + pose.thickness * p.x + pose.length * p.y + pose.width * p.z);
       grains.front_color.push_back(tinted(painted_.front_color[v], tint));
       grains.back_color.push_back(tinted(painted_.back_color[v], tint));
@@ -88,18 +104,45 @@ std::int32_t add_surface(DiffusionSurfaces& grains, const std::string& name) {
   return static_cast<std::int32_t>(grains.surface_names.size() - 1);
 }
 
+/// Stamps of one form: one for each look, the sketch's own last.
+std::vector<GrainStamp> stamps_of(const GrainSketch& sketch, const GrainForm& form) {
+  std::vector<GrainStamp> stamps;
+  for (const GrainLook& look : sketch.looks) {
+    stamps.emplace_back(form, repainted(sketch.front, look.front), repainted(sketch.back, look.back), sketch.blur);
+  }
+  stamps.emplace_back(form, sketch.front, sketch.back, sketch.blur);
+  return stamps;
+}
+
+/// Grains of a volume that are half as large as the largest, or a quarter, need fewer triangles; the least is 20.
+std::vector<GrainForm> forms_of(const GrainSketch& sketch) {
+  std::vector<GrainForm> forms{sketch.form};
+  for (int halvings = 1; sketch.volume && halvings <= 2; ++halvings) {
+    GrainForm form = forms.back();
+    form.around = std::max(std::min(5, form.around), form.around * 3 / 4);
+    form.along = std::max(std::min(4, form.along), form.along * 3 / 4);
+    forms.push_back(form);
+  }
+  return forms;
+}
+
+/// Which of the forms a grain has. It depends on its number alone, so all variants agree.
+std::size_t form_of(const GrainSketch& sketch, std::uint64_t number, std::size_t count) {
+  if (!sketch.volume) return 0;
+  const double share = volume_size(*sketch.volume, static_cast<std::size_t>(number), count) / sketch.volume->to;
+  return share >= 0.5 ? 0 : share >= 0.25 ? 1 : 2;
+}
+
 void append_grains(DiffusionSurfaces& grains, const GrainSketch& sketch, const std::vector<Dart>& darts,
                    const GrainDraws& draws) {
-  std::vector<GrainStamp> stamps;  // one for each look, the sketch's own last
-  for (const GrainLook& look : sketch.looks) {
-    stamps.emplace_back(sketch.form, repainted(sketch.front, look.front), repainted(sketch.back, look.back),
-                        sketch.blur);
-  }
-  stamps.emplace_back(sketch.form, sketch.front, sketch.back, sketch.blur);
+  std::vector<std::vector<GrainStamp>> stamps;  // by form, then by look
+  for (const GrainForm& form : forms_of(sketch)) stamps.push_back(stamps_of(sketch, form));
   const std::int32_t surface = add_surface(grains, sketch.name);
   for (const Dart& dart : darts) {
-    const GrainStamp& stamp = dart.pose.look < 0 ? stamps.back() : stamps[static_cast<std::size_t>(dart.pose.look)];
-    stamp.append_to(grains, dart.center, dart.pose, drawn_tint(sketch, dart.number, draws), surface);
+    const std::vector<GrainStamp>& looks = stamps[form_of(sketch, dart.number, darts.size())];
+    const GrainStamp& stamp = dart.pose.look < 0 ? looks.back() : looks[static_cast<std::size_t>(dart.pose.look)];
+    const GrainLumps lumps{sketch.volume ? sketch.volume->lumps : 0, dart.number};
+    stamp.append_to(grains, dart.center, dart.pose, drawn_tint(sketch, dart.number, draws), surface, lumps);
   }
 }
 
@@ -138,6 +181,21 @@ GrainWalls walls_of(const Template& fruit, const GrainSketch& sketch, const Swee
   return {meshes, 0.7 * std::max({sketch.form.length, sketch.form.width, sketch.form.thickness})};
 }
 
+/// Grains inside a surface keep clear of all that were placed before.
+std::vector<Dart> filled_volume(const Template& fruit, const GrainSketch& sketch, const GrainDraws& draws,
+                                VariantKey key, const SweepOptions& options,
+                                const std::vector<std::vector<Dart>>& placed) {
+  std::vector<GrainObstacle> others;
+  for (std::size_t kind = 0; kind < placed.size(); ++kind) {
+    for (const Dart& dart : placed[kind]) others.push_back({dart.center, body_of(dart.pose, fruit.grains[kind].form)});
+  }
+  try {
+    return volume_darts(fruit, sketch, draws, key, options, others);
+  } catch (const NoRoom&) {
+    refuse(fruit, sketch, "there is no room for so many", "lower the share of the volume, the wall or the gap");
+  }
+}
+
 const LawSketch& law_of(const Template& fruit, const GrainSketch& sketch) {
   return fruit.laws.at(static_cast<std::size_t>(*sketch.spacing.law));
 }
@@ -155,6 +213,14 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
     // Refuse what would take too long before placing the first grain.
     const GrainDraws draws = grain_draws(key, sketch.name);
     const SurfaceSketch& surface = fruit.surfaces.at(static_cast<std::size_t>(sketch.surface));
+    if (sketch.volume) {
+      expected += volume_room(sketch, surface.vertical);
+      if (expected > max_grains) refuse(fruit, sketch, "more than 20 000 grains", "make the smallest larger");
+      placed.push_back(filled_volume(fruit, sketch, draws, key, options, placed));
+      append_grains(grains, sketch, placed.back(), draws);
+      for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, placed.back(), draws);
+      continue;
+    }
     const std::vector<SweptGrid> grids = swept_grids(fruit, surface, options);
     std::vector<GrainTarget> targets;
     if (sketch.spacing.law) {

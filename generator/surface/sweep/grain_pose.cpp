@@ -31,17 +31,6 @@ glm::dvec3 outwards(const glm::dvec3& center) {
   return radius > 0 ? glm::dvec3(center.x / radius, 0, center.z / radius) : glm::dvec3(1, 0, 0);
 }
 
-/// The first of the wishes that is not almost along `axis`, made perpendicular to it.
-glm::dvec3 across(const glm::dvec3& axis, std::initializer_list<glm::dvec3> wishes) {
-  for (const glm::dvec3& wish : wishes) {
-    const glm::dvec3 side = wish - glm::dot(wish, axis) * axis;
-    const double size = glm::length(side);
-    if (size > 0.1) return side / size;
-  }
-  const glm::dvec3 other = std::fabs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : upwards;
-  return glm::normalize(glm::cross(axis, other));
-}
-
 glm::dvec3 heading_of(const GrainStance& stance, const GrainSeat& seat) {
   switch (stance.heading) {
     case Heading::towards_axis:
@@ -73,15 +62,6 @@ glm::dvec3 facing_of(const GrainStance& stance, const GrainSeat& seat, const glm
   return across(heading, {seat.normal, around, upwards});
 }
 
-int drawn_look(const GrainSketch& sketch, double draw) {
-  double before = 0;
-  for (std::size_t i = 0; i < sketch.looks.size(); ++i) {
-    before += sketch.looks[i].share;
-    if (draw < before) return static_cast<int>(i);
-  }
-  return GrainPose::own_look;
-}
-
 double min_radius(const GrainPose& pose) {
   return std::min({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
 }
@@ -97,6 +77,34 @@ glm::dmat3 spread(const GrainPose& pose) {
 GrainDraws grain_draws(VariantKey key, const std::string& name) {
   return {RandomStream(key, "grains/" + name), RandomStream(key, "grains/" + name + "/looks"),
           RandomStream(key, "grains/" + name + "/folds")};
+}
+
+glm::dvec3 across(const glm::dvec3& axis, std::initializer_list<glm::dvec3> wishes) {
+  for (const glm::dvec3& wish : wishes) {
+    const glm::dvec3 side = wish - glm::dot(wish, axis) * axis;
+    const double size = glm::length(side);
+    if (size > 0.1) return side / size;
+  }
+  const glm::dvec3 other = std::fabs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : upwards;
+  return glm::normalize(glm::cross(axis, other));
+}
+
+GrainPose scaled(GrainPose pose, double factor) {
+  pose.thickness *= factor;
+  pose.length *= factor;
+  pose.width *= factor;
+  return pose;
+}
+
+int drawn_look(const GrainSketch& sketch, std::uint64_t number, const GrainDraws& draws) {
+  if (sketch.looks.empty()) return GrainPose::own_look;
+  const double draw = draws.looks.uniform(draws_per_candidate * number + look_draw);
+  double before = 0;
+  for (std::size_t i = 0; i < sketch.looks.size(); ++i) {
+    before += sketch.looks[i].share;
+    if (draw < before) return static_cast<int>(i);
+  }
+  return GrainPose::own_look;
 }
 
 GrainPose grain_pose(const GrainSketch& sketch, const GrainSeat& seat, const GrainDraws& draws) {
@@ -115,7 +123,7 @@ GrainPose grain_pose(const GrainSketch& sketch, const GrainSeat& seat, const Gra
   const glm::dvec3 up = turned(facing, -flat, tilt);
 
   GrainPose pose;
-  pose.look = sketch.looks.empty() ? GrainPose::own_look : drawn_look(sketch, draws.looks.uniform(first + look_draw));
+  pose.look = drawn_look(sketch, seat.number, draws);
   double scale = 0.5 * std::max(0.1, 1 + form.size_jitter * place_draw(4)) * form.size(seat.along);
   if (pose.look >= 0) scale *= sketch.looks[static_cast<std::size_t>(pose.look)].scale;
   pose.thickness = up * (scale * form.thickness);

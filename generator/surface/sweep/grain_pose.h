@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -38,6 +39,14 @@ struct GrainPose {
   glm::dvec3 thickness{0}, length{0}, width{0};  ///< right-handed in this order; the tip is at +length
   int look = own_look;
 };
+
+GrainPose scaled(GrainPose pose, double factor);
+
+/// The first of the wishes that is not almost along `axis`, made perpendicular to it.
+glm::dvec3 across(const glm::dvec3& axis, std::initializer_list<glm::dvec3> wishes);
+
+/// The appearance of the grain with this number.
+int drawn_look(const GrainSketch& sketch, std::uint64_t number, const GrainDraws& draws);
 
 GrainPose grain_pose(const GrainSketch& sketch, const GrainSeat& seat, const GrainDraws& draws);
 

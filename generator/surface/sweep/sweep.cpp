@@ -10,6 +10,7 @@
 #include "generator/surface/orientation.h"
 #include "generator/surface/sweep/grid_painter.h"
 #include "generator/surface/sweep/mesh_surfaces.h"
+#include "generator/surface/sweep/sheet_shells.h"
 #include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/swept_grid.h"
 #include "generator/template/read/entry_place.h"
@@ -42,6 +43,7 @@ DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
       painter.dab(side, placed_spots(fruit, sketch, side, grids, options), grids);
     }
   }
+  append_sheets(surfaces, fruit, options);
   const std::size_t drawn = surfaces.triangle_count();
   std::vector<std::uint8_t> turns(drawn, 0);
   for (const MeshSketch& mesh : fruit.meshes) {

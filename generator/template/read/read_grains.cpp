@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/base/units.h"
+#include "generator/template/read/read_grain_volume.h"
 #include "generator/template/read/read_law.h"
 #include "generator/template/read/read_paint.h"
 
@@ -136,7 +137,6 @@ GrainForm read_form(const TomlTable& table) {
   form.size_jitter = table.get("size_jitter").number(0, {0, 0.9});
   form.length_jitter = table.get("length_jitter").number(0, {0, 0.9});
   form.width_jitter = table.get("width_jitter").number(0, {0, 0.9});
-  read_shape(table, form);
   return form;
 }
 
@@ -232,10 +232,8 @@ void refuse_crowd(const TomlTable& table, const GrainSketch& grain) {
                              "make it about as large as the grains");
 }
 
-}  // namespace
-
-GrainSketch read_grains(const TomlTable& table, const Template& fruit) {
-  GrainSketch grain;
+/// What grains over a surface say.
+void read_strewn(const TomlTable& table, const Template& fruit, GrainSketch& grain) {
   std::vector<std::string> names;
   for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
   grain.surface = table.need("surface").choice(names);
@@ -247,6 +245,18 @@ GrainSketch read_grains(const TomlTable& table, const Template& fruit) {
   grain.form = read_form(table);
   refuse_crowd(table, grain);
   grain.stance = read_stance(table);
+}
+
+}  // namespace
+
+GrainSketch read_grains(const TomlTable& table, const Template& fruit) {
+  GrainSketch grain;
+  if (table.has("inside")) {
+    read_grain_volume(table, fruit, grain);
+  } else {
+    read_strewn(table, fruit, grain);
+  }
+  read_shape(table, grain.form);
   grain.front = read_grain_side(table, "front", fruit.parts);
   grain.back = read_grain_side(table, "back", fruit.parts);
   refuse_both_hidden(table, grain.front, grain.back);

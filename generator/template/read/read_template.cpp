@@ -13,6 +13,7 @@
 #include "generator/template/read/read_mesh.h"
 #include "generator/template/read/read_place.h"
 #include "generator/template/read/read_ripeness.h"
+#include "generator/template/read/read_sheets.h"
 #include "generator/template/read/read_spared.h"
 #include "generator/template/read/read_style.h"
 #include "generator/template/read/read_surface.h"
@@ -156,16 +157,14 @@ void check_symmetry(const TomlTable& root, const Template& fruit) {
 /// Moves all vertical curves up or down so that the lowest drawn point is at y = 0.
 /// \return where that was
 double set_on_ground(Template& fruit) {
-  bool found = false;
-  double lowest = 0;
-  for (const SurfaceSketch& surface : fruit.surfaces) {
-    for (const glm::dvec2& p : surface.vertical.points) {
-      lowest = found ? std::min(lowest, p.y) : p.y;
-      found = true;
-    }
-  }
-  for (SurfaceSketch& surface : fruit.surfaces) {
-    for (glm::dvec2& p : surface.vertical.points) p.y -= lowest;
+  const double lowest = drawn_heights(fruit).low;
+  const auto lower = [&](Curve& curve) {
+    for (glm::dvec2& p : curve.points) p.y -= lowest;
+  };
+  for (SurfaceSketch& surface : fruit.surfaces) lower(surface.vertical);
+  for (SheetSketch& sheet : fruit.sheets) {
+    lower(sheet.inner);
+    lower(sheet.outer);
   }
   for (LawSketch& law : fruit.laws) {
     for (glm::dvec2& p : law.envelope.points) p.y -= lowest;
@@ -218,6 +217,7 @@ DrawnTemplate parse_within(std::string_view toml, const std::string& file, std::
   CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
   if (root.has("law")) fruit.laws = read_laws(root.get("law").table(), curves);
   fruit.surfaces = read_surfaces(root, SketchSurfaceReader(curves, fruit.parts, fruit.symmetry, fruit.laws));
+  fruit.sheets = read_sheets(root, curves, fruit);
   place_views(sketch, unit, set_on_ground(fruit), drawn);
   fruit.meshes = read_meshes(root, fruit);
   check_symmetry(root, fruit);

@@ -1,0 +1,154 @@
+#include "generator/surface/sweep/sheet_shells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+#include "generator/surface/sweep/body_map.h"
+#include "generator/surface/sweep/grid_painter.h"
+#include "generator/template/read/entry_place.h"
+
+namespace pomona {
+
+namespace {
+
+/// Twice the area of the shell's projection along its own normals, positive if its front is outside.
+double six_volumes(const SweptGrid& grid) {
+  double sum = 0;
+  for (const glm::uvec3& t : grid.triangle) {
+    const auto& p = grid.position;
+    sum += glm::dot(p[t.x], glm::cross(p[t.y], p[t.z]));
+  }
+  return sum;
+}
+
+/// The vertices of the rim, once around.
+std::vector<std::uint32_t> rim_of(int around, int along) {
+  std::vector<std::uint32_t> rim;
+  const auto at = [&](int j, int i) { rim.push_back(static_cast<std::uint32_t>(j * around + i)); };
+  for (int i = 0; i < around; ++i) at(0, i);
+  for (int j = 1; j < along; ++j) at(j, around - 1);
+  for (int i = around - 2; i >= 0; --i) at(along - 1, i);
+  for (int j = along - 2; j >= 1; --j) at(j, 0);
+  return rim;
+}
+
+/// How much of the colour veins cover: the midrib, and lines from it to the margins, fading towards the tip.
+double vein_share(const SheetVeins& veins, double along, double across) {
+  const double mid = across / 0.06, wave = reproducible::sin(veins.pairs * pi * (along - 0.33 * std::sqrt(across)));
+  const double line = 0.55 * reproducible::exp(-wave * wave / 0.05) * std::clamp(4 * across, 0.0, 1.0) *
+                      std::clamp((along - 0.1) * 6, 0.0, 1.0);
+  const double vein = std::min(1.0, reproducible::exp(-mid * mid) + (veins.pairs > 0 ? line : 0));
+  return veins.strength * vein * std::clamp(1.25 - along, 0.0, 1.0);
+}
+
+void paint_veins(DiffusionSurfaces& surfaces, const SheetVeins& veins, const SweptGrid& grid, std::size_t first) {
+  for (std::size_t v = 0; v < grid.position.size(); ++v) {
+    Color& color = surfaces.front_color[first + v];
+    color = blended(color, veins.color, vein_share(veins, grid.along[v], std::fabs(2 * grid.around[v] - 1)));
+  }
+}
+
+}  // namespace
+
+void refuse(const Template& fruit, const SheetSketch& sketch, const std::string& why, const std::string& hint) {
+  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
+  throw Error(ExitStatus::bad_data,
+              {{entry_place(file, "sheets", sketch.name), "sheets \"" + sketch.name + "\": " + why, hint}});
+}
+
+SweptGrid sheet_shell(const std::vector<glm::dvec3>& lower, const std::vector<glm::dvec3>& upper, int around, int along,
+                      double age) {
+  SweptGrid grid;
+  const auto side = static_cast<std::uint32_t>(lower.size());
+  for (const std::vector<glm::dvec3>* face : {&lower, &upper}) {
+    grid.position.insert(grid.position.end(), face->begin(), face->end());
+    for (int j = 0; j < along; ++j) {
+      for (int i = 0; i < around; ++i) {
+        grid.along.push_back(static_cast<double>(j) / (along - 1));
+        grid.around.push_back(static_cast<double>(i) / (around - 1));
+      }
+    }
+  }
+  grid.is_pole.assign(grid.position.size(), 0);
+  grid.fold.assign(grid.position.size(), 0);
+  grid.depth.assign(grid.position.size(), 1);
+  grid.turn.assign(grid.position.size(), age);
+  for (int j = 0; j + 1 < along; ++j) {
+    for (int i = 0; i + 1 < around; ++i) {
+      const auto a = static_cast<std::uint32_t>(j * around + i), b = a + 1, c = a + static_cast<std::uint32_t>(around);
+      for (const glm::uvec3& t : {glm::uvec3(a, b, c + 1), glm::uvec3(a, c + 1, c)}) {
+        grid.triangle.emplace_back(t.x, t.z, t.y);
+        grid.triangle.push_back(t + side);
+      }
+    }
+  }
+  const std::vector<std::uint32_t> rim = rim_of(around, along);
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    const std::uint32_t here = rim[k], next = rim[(k + 1) % rim.size()];
+    grid.triangle.emplace_back(here, next, next + side);
+    grid.triangle.emplace_back(here, next + side, here + side);
+  }
+  if (six_volumes(grid) < 0) {
+    for (glm::uvec3& t : grid.triangle) std::swap(t.y, t.z);
+  }
+  return grid;
+}
+
+std::vector<SweptGrid> blade_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
+  const int across = std::max(3, static_cast<int>(std::lround(sketch.around * options.detail)));
+  const int along = std::max(3, static_cast<int>(std::lround(sketch.along * options.detail)));
+  const double turn = 2 * pi / sketch.count;
+  const RandomStream random(options.key, "sheet/" + sketch.name);
+  std::vector<SweptGrid> blades;
+  for (int k = 0; k < sketch.count; ++k) {
+    const double reach = sketch.lengths[static_cast<std::size_t>(k) % sketch.lengths.size()];
+    const double phase = 2 * pi * random.uniform(static_cast<std::uint64_t>(k / 4));
+    std::vector<glm::dvec3> sides[2];
+    for (int j = 0; j < along; ++j) {
+      for (int i = 0; i < across; ++i) {
+        const double u = 1 - reach * (1 - static_cast<double>(j) / (along - 1));
+        const double v = static_cast<double>(i) / (across - 1);
+        const glm::dvec2 free = point_at(sketch.inner, u), at = free + v * (point_at(sketch.outer, u) - free);
+        const double radius = std::max(at.x, 1e-5);
+        const double margin = std::clamp(std::min({(u - 1 + reach) / 0.04, (1 - u) / 0.04, v / 0.1}), 0.35, 1.0);
+        const double half = 0.5 * sketch.thickness(u) * margin / radius, sway = sketch.sway / radius;
+        if (half + std::min(sway, 0.0) > 0.5 * turn - 0.5 * sketch.gap / radius)
+          refuse(fruit, sketch, "they are too thick for their number", "make them thinner, or fewer");
+        // All wave alike, a quarter of their distance at most; so they keep it.
+        const double wave = std::min(sway, 0.25 * turn) * (1 - v) * reproducible::sin(6 * u + phase) * 0.5;
+        const double room = 0.5 * turn - half - 0.5 * sketch.gap / radius;
+        const double middle = turn * k + std::clamp(wave, -room, room);
+        for (int side = 0; side < 2; ++side) {
+          const double azimuth = middle + (side == 0 ? -half : half);
+          sides[side].emplace_back(radius * reproducible::cos(azimuth), at.y, -radius * reproducible::sin(azimuth));
+        }
+      }
+    }
+    blades.push_back(sheet_shell(sides[0], sides[1], across, along, sketch.count > 1 ? k / (sketch.count - 1.0) : 0));
+  }
+  return blades;
+}
+
+void append_sheets(DiffusionSurfaces& surfaces, const Template& fruit, const SweepOptions& options) {
+  const BodyMap map(fruit);
+  for (const SheetSketch& sketch : fruit.sheets) {
+    if (sketch.count == 0) continue;
+    std::vector<SweptGrid> shells = sketch.kind == SheetSketch::Kind::blades ? blade_shells(fruit, sketch, options)
+                                                                             : leaf_shells(fruit, sketch, options);
+    GridPainter painter(surfaces, sketch.name, sketch.front, sketch.back, Ramp<double>::constant(sketch.blur));
+    for (SweptGrid& shell : shells) {
+      for (glm::dvec3& p : shell.position) p = map(p);
+      const std::size_t first = surfaces.vertex_count();
+      painter.append(shell);
+      if (sketch.veins.strength > 0) paint_veins(surfaces, sketch.veins, shell, first);
+    }
+  }
+}
+
+}  // namespace pomona

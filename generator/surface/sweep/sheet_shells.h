@@ -1,0 +1,34 @@
+// Sheets as closed shells: leaves that lie on each other, plates side by side.
+#pragma once
+
+#include <vector>
+
+#include "generator/surface/diffusion_surfaces.h"
+#include "generator/surface/sweep/sweep_options.h"
+#include "generator/surface/sweep/swept_grid.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// A sheet's two faces, as many vertices each, and the rim between them: `around` runs across, 0 to 1, `turn` is its
+/// age.
+SweptGrid sheet_shell(const std::vector<glm::dvec3>& lower, const std::vector<glm::dvec3>& upper, int around, int along,
+                      double age);
+
+/// Leaves of a head or a rosette. Each is the graph of a height over its outline on a disc about the pole, and lies on
+/// the smoothed upper envelope of those before it; so none cross.
+/// \throws Error (bad_data) where so many leaves have no room between the two curves
+std::vector<SweptGrid> leaf_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options);
+
+/// Plates in half-planes through the axis.
+/// \throws Error (bad_data) where they are too thick for their number
+std::vector<SweptGrid> blade_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options);
+
+/// Appends all sheets of the fruit, one surface for each sketch.
+void append_sheets(DiffusionSurfaces& surfaces, const Template& fruit, const SweepOptions& options);
+
+/// Throws the Error for sheets that have no room.
+[[noreturn]] void refuse(const Template& fruit, const SheetSketch& sketch, const std::string& why,
+                         const std::string& hint);
+
+}  // namespace pomona
