@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/reproducible.h"
+#include "generator/surface/sweep/grain_pose.h"
 
 namespace pomona {
 
@@ -31,16 +32,6 @@ glm::dvec3 heading_of(const PlaceSketch& place, const PlaceSeat& seat) {
       return glm::normalize(seat.stalk_root - seat.center);
   }
   return seat.normal;
-}
-
-/// The first wish that is not almost along `axis`, made perpendicular to it.
-glm::dvec3 across(const glm::dvec3& axis, std::initializer_list<glm::dvec3> wishes) {
-  for (const glm::dvec3& wish : wishes) {
-    const glm::dvec3 side = wish - glm::dot(wish, axis) * axis;
-    const double size = glm::length(side);
-    if (size > 0.1) return side / size;
-  }
-  return {1, 0, 0};
 }
 
 glm::dvec3 foot_of(PlaceSketch::Foot foot, const Box<double>& own) {
