@@ -36,6 +36,9 @@ StartingSketch copied_fruit(const fs::path& original, const std::string& name) {
   if (!fruit.meshes.empty())
     throw Error(ExitStatus::usage, fruit.name + " is made of meshes in files of their own",
                 "docs/guides/import.md begins one");
+  if (!fruit.places.empty())
+    throw Error(ExitStatus::usage, fruit.name + " places templates in files of their own",
+                "copy its file and theirs, or begin with one that places none");
 
   // The lines before the first table are the fruit's own; their comments describe the original.
   StartingSketch copy;

@@ -60,12 +60,28 @@ std::vector<OutputFile> meshes_for_copy(const fs::path& original, const fs::path
   return copies;
 }
 
+/// The templates that it places, and what these place, with their paths in `folder`.
+std::vector<OutputFile> placed_for_copy(const Template& fruit, const fs::path& home, const fs::path& folder) {
+  std::vector<OutputFile> copies;
+  for (const PlaceSketch& place : fruit.places) {
+    const fs::path file = place.placed->file, step = file.lexically_relative(home);
+    if (auto copy = copy_beside(folder / step, read_toml_text(file), "the template placed in " + fruit.file,
+                                "rename it, or open the studio in another folder"))
+      copies.push_back(std::move(*copy));
+    for (OutputFile& more : placed_for_copy(*place.placed, home, folder)) copies.push_back(std::move(more));
+  }
+  return copies;
+}
+
 /// Opens a copy of one of the program's own fruits: saving writes it into the current folder.
 Opened copy_of(const fs::path& original) {
   const std::string toml = read_toml_text(original);
   const Workspace texts(workspace_files(original, toml), {});
   const fs::path here = original.filename();
-  return {workspace_files(here, toml), Workspace(texts.files(), {}).state().texts, meshes_for_copy(original, {})};
+  std::vector<OutputFile> beside = meshes_for_copy(original, {});
+  for (OutputFile& more : placed_for_copy(read_template(original), original.parent_path(), {}))
+    beside.push_back(std::move(more));
+  return {workspace_files(here, toml), Workspace(texts.files(), {}).state().texts, std::move(beside)};
 }
 
 Opened opened(const StudioCommand& command) {

@@ -170,5 +170,14 @@ TEST(TemplateHash, ChangesWithTheSketchThatTheTemplateNames) {
   EXPECT_NE(before, template_hash(folder / "tomato.toml"));
 }
 
+TEST(TemplateHash, ChangesWithWhatIsPlacedInWhatItPlaces) {
+  const TemporaryFolder folder;
+  for (const char* name : {"bowl.toml", "bunch.toml", "berry.toml"})
+    fs::copy(fs::path(POMONA_SOURCE_DIR) / "tests/compose/placed" / name, folder.path());
+  const std::string before = template_hash(folder / "bowl.toml");
+  std::ofstream(folder / "berry.toml", std::ios::app) << "# riper\n";
+  EXPECT_NE(before, template_hash(folder / "bowl.toml"));
+}
+
 }  // namespace
 }  // namespace pomona

@@ -55,6 +55,29 @@ TEST(SurfaceFile, KeepsEveryBit) {
   EXPECT_EQ(write_surfaces(parse_surfaces(bytes, "fruit.ply")), bytes);
 }
 
+TEST(SurfaceFile, KeepsInstancesAndHasNoneWhereNothingIsPlaced) {
+  DiffusionSurfaces fruit = rich_fruit();
+  EXPECT_EQ(write_surfaces(fruit).find("instance"), std::string::npos);
+  fruit.instance.assign(fruit.triangle_count(), 0);
+  fruit.instance.back() = 7;
+  const DiffusionSurfaces read = parse_surfaces(write_surfaces(fruit), "fruit.ply");
+  expect_equal(read, fruit);
+  EXPECT_EQ(read.instance, fruit.instance);
+  fruit.instance.back() = 0;
+  EXPECT_TRUE(parse_surfaces(write_surfaces(fruit), "fruit.ply").instance.empty());
+}
+
+TEST(JoinedSurfaces, keep_the_numbers_of_instances) {
+  DiffusionSurfaces placed = sphere(0.01, 2);
+  placed.instance.assign(placed.triangle_count(), 3);
+  const DiffusionSurfaces plain = sphere(0.02, 2), both = joined(plain, placed);
+  ASSERT_EQ(both.instance.size(), both.triangle_count());
+  EXPECT_EQ(both.instance.front(), 0);
+  EXPECT_EQ(both.instance.back(), 3);
+  EXPECT_EQ(joined(placed, plain).instance.back(), 0);
+  EXPECT_TRUE(joined(plain, plain).instance.empty());
+}
+
 std::string text(float value) {
   std::array<char, 32> buffer{};
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
@@ -270,7 +293,7 @@ constexpr BadFile bad_files[] = {
     {"binary_long_list", ":face 0, byte 289: error: the file is too short for this list"},
     {"binary_nan", ":vertex 1, byte 256: error: this number is not finite"},
     {"binary_negative_blur", ":vertex 1, byte 267: error: blur is below 0"},
-    {"binary_surface_number", ":face 0, byte 302: error: surfaces and parts are numbered from 0 to 65535"},
+    {"binary_surface_number", ":face 0, byte 302: error: surfaces, parts and instances are numbered from 0 to 65535"},
     {"binary_truncated", ":3:1: error: the file is too short for 3 of \"vertex\""},
     {"both_hidden", ":15:7: error: this face hides both its sides"},
     {"corner_out_of_range", ":13:7: error: there is no such vertex"},
