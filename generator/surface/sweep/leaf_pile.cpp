@@ -64,8 +64,10 @@ class Ground {
         r, [](double sum, double one) { return sum + one; }, 2 * r + 1);
   }
 
-  /// Smooth, and nowhere lower: the mean of a square's largest is no less than its middle.
-  Ground envelope() const { return largest(smoothing).mean(smoothing).largest(smoothing).mean(smoothing); }
+  /// Smooth, and nowhere lower than within `reach` cells: the mean of a square's largest is no less than its middle.
+  Ground envelope(int reach) const {
+    return largest(smoothing + reach).mean(smoothing).largest(smoothing).mean(smoothing);
+  }
 
  private:
   template <typename Join>
@@ -106,6 +108,19 @@ class Foliation {
     return {radius * towards.x, p.y, -radius * towards.y};
   }
 
+  /// How far a chord of this length, a share of the curves, leaves the more bent of the two there, metres.
+  double sag(double place, double chord) const {
+    double most = 0;
+    for (const std::vector<glm::dvec2>* curve : {&inner_, &outer_}) {
+      const glm::dvec2 middle = 0.5 * (over(*curve, place - chord / 2) + over(*curve, place + chord / 2));
+      most = std::max(most, glm::distance(middle, over(*curve, place)));
+    }
+    return most;
+  }
+
+  /// The radius of the outer curve, metres.
+  double radius(double place) const { return std::fabs(over(outer_, place).x); }
+
   /// Metres from height 0 to height 1.
   double depth(const glm::dvec2& ground) const {
     const double place = 1 - glm::length(ground);
@@ -118,6 +133,13 @@ class Foliation {
     const double at = std::min(place, 1.0) * table_steps;
     const auto i = static_cast<std::size_t>(std::clamp(std::floor(at), 0.0, table_steps - 1.0));
     return curve[i] + (at - static_cast<double>(i)) * (curve[i + 1] - curve[i]);
+  }
+
+  /// Beyond its end a curve goes down the other side.
+  static glm::dvec2 over(const std::vector<glm::dvec2>& curve, double place) {
+    if (place <= 1) return on(curve, place);
+    const glm::dvec2 p = on(curve, 2 - place);
+    return {-p.x, p.y};
   }
 
   std::vector<glm::dvec2> inner_, outer_;
@@ -158,6 +180,12 @@ class LeafPile {
         rib_(sketch.rib.height),
         around_(std::max(3, static_cast<int>(std::lround(sketch.around * options.detail)))),
         along_(std::max(3, static_cast<int>(std::lround(sketch.along * options.detail)))) {
+    double wide = 0, far = 0;
+    for (const auto& stop : sketch.outline.stops) wide = std::max(wide, stop.value);
+    for (const auto& stop : sketch.reach.stops) far = std::max(far, stop.value);
+    const double edge = std::max(2 * wide / (around_ - 1), far / (along_ - 1));
+    sag_ = sag_of(wide, far);
+    facet_ = std::min(8, static_cast<int>(std::ceil(0.5 * edge * (cells - 1) / (2 * span))));
     const RandomStream random(options.key, "sheet/" + sketch.name);
     for (int k = 0; k < sketch.count; ++k) leaves_.push_back(leaf_chance(sketch, random, k));
     for (int i = 0; i < cells; ++i)
@@ -174,7 +202,7 @@ class LeafPile {
   std::vector<Faces> piled(double gap, Ground& top) const {
     std::vector<Faces> all;
     for (const LeafChance& leaf : leaves_) {
-      const Ground floor = top.envelope();
+      const Ground floor = top.envelope(facet_);
       all.push_back(faces_of(leaf, floor, gap));
       cover(leaf, floor, gap, top);
     }
@@ -197,6 +225,24 @@ class LeafPile {
   }
 
  private:
+  /// By the place: how far flat facets may leave the curved leaf, metres. Gaps are so much wider.
+  std::vector<double> sag_of(double wide, double far) const {
+    std::vector<double> sag;
+    for (int i = 0; i <= table_steps; ++i) {
+      const double place = table_end * i / table_steps;
+      const double across = 2 * std::min(wide, outline_(place)) / (around_ - 1);
+      const double ground = std::max(0.3, std::fabs(1 - place)), aside = across / ground;
+      const double rib = across / sketch_.rib.width;
+      sag.push_back(foliation_.sag(place, far / (along_ - 1)) + aside * aside * foliation_.radius(place) / 8 +
+                    rib_(place) * rib * rib / 4);
+    }
+    return sag;
+  }
+  double gap_at(double gap, double y) const {
+    const double at = std::clamp(y / table_end, 0.0, 1.0) * table_steps;
+    return gap + sag_[static_cast<std::size_t>(at)];
+  }
+
   /// Half the width of a leaf there. Its rows lie straight across its middle, so that nothing folds, and end within the
   /// disc.
   double half_width(const LeafChance& leaf, double y) const {
@@ -235,7 +281,7 @@ class LeafPile {
         const glm::dvec2 at{1 - y, across * half_width(leaf, y)};
         const glm::dvec2 ground{at.x * leaf.turn.x - at.y * leaf.turn.y, at.x * leaf.turn.y + at.y * leaf.turn.x};
         const double depth = foliation_.depth(ground);
-        const double low = floor(ground) + (gap + lift(leaf, across, y)) / depth;
+        const double low = floor(ground) + (gap_at(gap, y) + lift(leaf, across, y)) / depth;
         faces.ground.push_back(ground);
         faces.lower.push_back(low);
         faces.upper.push_back(low + thick(leaf, across, y) / depth);
@@ -259,7 +305,8 @@ class LeafPile {
         if (std::fabs(wide) > margin || y < -0.04 || y > 1.015 * tip) continue;
         const double place = std::clamp(y, 0.0, tip);
         raised.at(i, j) =
-            floor.at(i, j) + (gap + lift(leaf, across, place) + thick(leaf, across, place)) / depth_.at(i, j);
+            floor.at(i, j) +
+            (gap_at(gap, place) + lift(leaf, across, place) + thick(leaf, across, place)) / depth_.at(i, j);
       }
     }
     raised = raised.largest(1);
@@ -271,6 +318,8 @@ class LeafPile {
   Foliation foliation_;
   RampTable outline_, thickness_, rib_;
   int around_, along_;
+  std::vector<double> sag_;
+  int facet_ = 0;  ///< half an edge of the mesh, in cells: facets are flat where what they lie on bulges
   std::vector<LeafChance> leaves_;
   Ground depth_;
 };
