@@ -139,8 +139,9 @@ std::vector<StageHashes> stage_hashes(const Template& drawn, std::uint64_t seed,
   for (const std::string& words : knives) {
     const std::vector<Knife> knife{parse_knife(words)};
     if (one_done) one_done();
-    std::optional<Slices> cut =
-        sliced_if_fit({.grown = grown, .variant = fruit, .knives = knife, .name = drawn.name}, *diffuser, threads);
+    std::optional<Slices> cut = sliced_if_fit(
+        {.grown = grown, .variant = fruit, .knives = knife, .name = drawn.name, .origin = {.growing = growing}},
+        *diffuser, threads);
     if (!cut) {
       found.push_back({curves, surfaces});
       continue;

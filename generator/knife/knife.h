@@ -44,6 +44,7 @@ struct AcrossKnife {};
 /// Along half-planes that begin at the axis, evenly spread.
 struct WedgeKnife {
   int count = 2;
+  double start = 0;  ///< angle of the first one, radians, from +X towards -Z (turned_wedges.h)
 };
 /// Along level planes.
 struct SliceKnife {

@@ -48,13 +48,13 @@ class PlaneLayer {
     add_slices(knife.size, 2);
   }
 
-  /// Half-planes at 2 pi k / N as whole planes in the order of their angle. Where N is odd, every other plane serves
-  /// the half-plane behind the axis and is turned so that its normal still points to growing angles there.
+  /// Half-planes at 2 pi k / N from the start as whole planes in the order of their angle. Where N is odd, every other
+  /// plane serves the half-plane behind the axis and is turned so that its normal still points to growing angles there.
   void operator()(const WedgeKnife& knife) {
     const int lines = knife.count % 2 == 0 ? knife.count / 2 : knife.count;
     laid_.wedges = knife.count;
     for (int i = 0; i < lines; ++i) {
-      const glm::dvec2 d = direction(pi * i / lines);
+      const glm::dvec2 d = direction(knife.start + pi * i / lines);
       const bool reversed = knife.count % 2 == 1 && i % 2 == 1;
       const glm::dvec3 normal(-d.y, 0, -d.x);
       laid_.planes.push_back({reversed ? -normal : normal, 0});

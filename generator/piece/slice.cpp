@@ -9,6 +9,7 @@
 
 #include "generator/base/parallel.h"
 #include "generator/cut/section/section_crumbs.h"
+#include "generator/knife/turned_wedges.h"
 #include "generator/mesh/box.h"
 #include "generator/piece/brown.h"
 #include "generator/piece/guided.h"
@@ -113,7 +114,9 @@ Cut without_unseen(Cut cut) {
 OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
   CutOptions how = options;
   how.spared_parts = task.variant.spared;
-  OpenedFruit fruit = opened(cut(task.grown.sheets, task.knives, how));
+  const bool is_drawing = task.origin.growing.as_drawn;
+  OpenedFruit fruit = opened(is_drawing ? cut(task.grown.sheets, task.knives, how)
+                                        : cut(task.grown.sheets, turned_wedges(task.knives, task.variant), how));
   const bool by_number = task.choice && task.choice->only > 0;
   if (!task.crumbs && !by_number) {
     const std::vector<std::size_t> kept = without_crumbs(fruit.cut.pieces, options.crumb);

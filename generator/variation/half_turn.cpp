@@ -4,19 +4,13 @@
 #include <cmath>
 
 #include "generator/base/units.h"
+#include "generator/variation/fold_sectors.h"
 
 namespace pomona {
 
 namespace {
 
 constexpr int turns = 720;  // candidates over half a turn
-
-/// The range of azimuths that a loop covers.
-struct Sector {
-  double middle = 0, half_width = 0;
-};
-
-using Sectors = std::vector<Sector>;
 
 /// The sectors of the loops of one surface.
 Sectors sectors_of(const FoldSymmetry& symmetry, const std::vector<PolarCurve>& folds) {
@@ -30,28 +24,8 @@ Sectors sectors_of(const FoldSymmetry& symmetry, const std::vector<PolarCurve>& 
   return sectors;
 }
 
-/// The sectors between fold lines, for a fruit whose halves show no chamber.
-Sectors folds_of(const FoldSymmetry& symmetry) {
-  const std::vector<double> widths = fold_widths(symmetry);
-  Sectors sectors;
-  for (std::size_t k = 0; k < widths.size(); ++k)
-    sectors.push_back({symmetry.fold_angles[k] + 0.5 * widths[k], 0.5 * widths[k]});
-  return sectors;
-}
-
-/// Half of the distance from a sector's edge to its middle is deep enough: often there are no seeds in the very middle.
-constexpr double deep_enough = 0.5;
-
-/// The distance of an azimuth from the edge of its sector, radians; negative outside all sectors.
-double depth_at(const Sectors& sectors, double azimuth) {
-  double deepest = -pi;
-  for (const Sector& sector : sectors) {
-    const double turn = (azimuth - sector.middle) / (2 * pi);
-    const double away = 2 * pi * std::fabs(turn - std::round(turn));
-    deepest = std::max(deepest, std::min(sector.half_width - away, deep_enough * sector.half_width));
-  }
-  return deepest;
-}
+/// A side that misses its sector counts for more than one that lies deep within: nothing else makes up for it.
+double worth(double depth) { return depth < 0 ? 8 * depth : depth; }
 
 /// How deep the plane at this azimuth lies in the sectors that it must show, on both sides, or on the better one.
 double score_at(const std::vector<Sectors>& surfaces, const std::vector<int>& shown, double azimuth) {
@@ -59,7 +33,7 @@ double score_at(const std::vector<Sectors>& surfaces, const std::vector<int>& sh
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (shown[s] == 0 || surfaces[s].empty()) continue;
     const double ahead = depth_at(surfaces[s], azimuth), behind = depth_at(surfaces[s], azimuth + pi);
-    score += shown[s] == 2 ? std::min(ahead, behind) : std::max(ahead, behind);
+    score += worth(shown[s] == 2 ? std::min(ahead, behind) : std::max(ahead, behind));
   }
   return score;
 }
@@ -74,7 +48,7 @@ HalfTurn::HalfTurn(const FoldSymmetry& drawn, const std::vector<FoldSamples>& sa
     shown_.push_back(ahead + behind);
   }
   // Without chambers, the plane stays between fold lines.
-  surfaces.push_back(folds_of(drawn));
+  surfaces.push_back(sectors_between_folds(drawn));
   shown_.push_back(std::count(shown_.begin(), shown_.end(), 2) > 0 ? 0 : 2);
   drawn_score_ = score_at(surfaces, shown_, 0);
 }
@@ -83,7 +57,7 @@ double HalfTurn::operator()(const FoldSymmetry& variant, const std::vector<std::
   std::vector<Sectors> surfaces;
   for (std::size_t s = 0; s + 1 < shown_.size(); ++s)
     surfaces.push_back(shown_[s] > 0 ? sectors_of(variant, folds[s]) : Sectors{});
-  surfaces.push_back(folds_of(variant));
+  surfaces.push_back(sectors_between_folds(variant));
   double best = 0, best_score = score_at(surfaces, shown_, 0);
   if (best_score >= drawn_score_ - 1e-9) return 0;
 

@@ -7,6 +7,7 @@
 
 #include "generator/base/error.h"
 #include "generator/knife/knife_planes.h"
+#include "generator/knife/turned_wedges.h"
 #include "render/deliver/export_options.h"
 #include "render/deliver/ordered_diffuser.h"
 #include "render/export/gltf/write_glb.h"
@@ -51,6 +52,11 @@ std::vector<PageCut> planes_in(std::span<const Knife> knives, const Box<double>&
   return planes;
 }
 
+/// As slice() lays them.
+std::vector<Knife> knives_at(const OrderedFruit& fruit, const Order& order) {
+  return fruit.origin.growing.as_drawn ? order.cut.knives : turned_wedges(order.cut.knives, fruit.fruit);
+}
+
 /// The quality of the grid: `reference` has as many nodes as `final`.
 Asset asset_of(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser) {
   const Quality quality = order.color.quality == Quality::draft ? Quality::draft : Quality::final;
@@ -80,7 +86,8 @@ void check_live_knives(std::span<const Knife> knives) {
 Delivered live_files(std::span<const OrderedFruit> family, const Order& order, const DeliverOptions& how) {
   Delivered delivered;
   if (!any_is(order.outputs, live_formats)) return delivered;
-  const std::vector<PageCut> planes = planes_in(order.cut.knives, bounds_of(family.front().grown.sheets));
+  const std::vector<PageCut> planes =
+      planes_in(knives_at(family.front(), order), bounds_of(family.front().grown.sheets));
   Order grids = order;
   if (family.size() > 1) grids.color.quality = Quality::draft;
   std::vector<Asset> assets;

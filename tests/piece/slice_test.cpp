@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/base/units.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
 #include "tests/shapes/seeded_fruit.h"
@@ -101,6 +102,24 @@ TEST(Slice, TellsOfEveryPieceWhichPartsTheWholeFruitShows) {
     for (std::size_t part = 0; part < peach.part_names.size(); ++part)
       EXPECT_EQ(piece.look->on_skin[part] != 0, peach.part_names[part] == "skin") << peach.part_names[part];
   }
+}
+
+/// The half-planes of a variant's wedges keep off its walls; the drawing is cut at 0 degrees.
+TEST(Slice, TurnsTheWedgesOfVariants) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
+  const GrownFruit grown{ball, {}, ball};
+  Template fruit;
+  fruit.symmetry = FoldSymmetry{{0, 0.5 * pi, pi, 1.5 * pi}};
+  SliceTask task{.grown = grown, .variant = fruit, .knives = quarters(), .name = "ball"};
+  const auto along_x = [](const Slices& slices) {
+    return std::any_of(slices.section.faces.begin(), slices.section.faces.end(),
+                       [](const CutFace& face) { return std::fabs(face.normal.z) > 0.999; });
+  };
+  const Slices turned = slice(task, nullptr);
+  EXPECT_FALSE(along_x(turned));
+  EXPECT_EQ(turned.pieces.size(), 4u);
+  task.origin.growing.as_drawn = true;
+  EXPECT_TRUE(along_x(slice(task, nullptr)));
 }
 
 /// A crumb is dropped unless it is asked for. Crumbs that together are large enough are kept.

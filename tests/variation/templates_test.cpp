@@ -7,10 +7,12 @@
 #include <gmock/gmock.h>
 #include <glm/geometric.hpp>
 
+#include "generator/base/units.h"
 #include "generator/surface/crossings.h"
 #include "generator/surface/shells.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/read/read_template.h"
+#include "generator/variation/polar_curve.h"
 #include "generator/variation/variation.h"
 #include "generator/variation/vary.h"
 #include "generator/variation/vary_folds.h"
@@ -65,6 +67,31 @@ Sample sample_of(const std::string& name, std::uint64_t count) {
     }
   }
   return sample;
+}
+
+/// Whether a half-plane from the axis passes within one of these loops.
+bool is_within(const std::vector<Curve>& loops, double azimuth) {
+  return std::any_of(loops.begin(), loops.end(), [&](const Curve& loop) {
+    const PolarCurve polar = to_polar(loop.points);
+    if (polar.size() == 0) return false;
+    const auto [min, max] = std::minmax_element(polar.azimuth.begin(), polar.azimuth.end());
+    const double turn = (azimuth - 0.5 * (*min + *max)) / (2 * pi);
+    return 2 * pi * std::fabs(turn - std::round(turn)) < 0.5 * (*max - *min);
+  });
+}
+
+/// Three chambers are hard to meet on both sides: as deep as can be in one of them, a half misses those behind the
+/// axis.
+TEST(TemplateHalves, ShowAChamberOnBothSidesOfTheAxis) {
+  const Template fruit = drawn("courgette");
+  const FoldVariation variation(fruit);
+  for (const std::uint64_t seed : {101, 106, 112, 116}) {
+    const Template variant = variation.draw({seed, 0}, 1, fold_count(fruit), true).fruit;
+    for (const SurfaceSketch& surface : variant.surfaces) {
+      if (surface.name != "carpel") continue;
+      EXPECT_TRUE(is_within(surface.horizontal, 0) && is_within(surface.horizontal, pi)) << seed;
+    }
+  }
 }
 
 class TemplateVariants : public testing::TestWithParam<const char*> {};
