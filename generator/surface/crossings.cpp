@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -128,6 +129,19 @@ DisjointSets pieces_of(const DiffusionSurfaces& surfaces) {
   return pieces;
 }
 
+/// The box around a triangle, less its upper faces, so that boxes which only touch do not meet. Triangles in them
+/// cannot cross properly, however their corners are rounded to the grid: rounding keeps the order. Rings of a straight
+/// fruit lie at one height, so half of all boxes that meet only touch. Empty where a number is not finite.
+Box<float> open_box_around(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  Box<float> box = box_around(a, b, c);
+  const auto is_finite = [](const glm::vec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  };
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return {};
+  for (int i = 0; i < 3; ++i) box.high[i] = std::nextafter(box.high[i], std::numeric_limits<float>::lowest());
+  return box;
+}
+
 /// Calls found(crossing) for every pair among some triangles that cross, until it returns false.
 template <typename Found>
 void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::uint32_t>& triangles,
@@ -141,9 +155,7 @@ void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::u
   for (const std::uint32_t t : triangles) {
     const glm::uvec3& v = surfaces.triangle[t];
     corners.push_back(grid_triangle(points[v.x], points[v.y], points[v.z]));
-    Box<float> box;
-    for (const LatticePoint& corner : corners.back().corner) box.add(glm::vec3(corner));
-    boxes.push_back(box);
+    boxes.push_back(open_box_around(surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]));
   }
 
   // Tests these. Connected parts matter only once something crosses.

@@ -48,6 +48,8 @@ std::vector<SweptPoint> swept(const ProfileArcs& arcs, const Curve& loop, const 
   return points;
 }
 
+}  // namespace
+
 /// A layer's vertical curve in the half-plane of any azimuth.
 class LayerInPlane {
  public:
@@ -86,6 +88,8 @@ class LayerInPlane {
   double reference_;
   double lowest_ = 1e9, highest_ = -1e9;
 };
+
+namespace {
 
 /// The side on which all points lie with this margin; nothing if they lie on both.
 std::optional<bool> common_side(const std::vector<SweptPoint>& points, const LayerInPlane& layer, double margin) {
@@ -172,34 +176,51 @@ FoldRoom::FoldRoom(const Template& drawn) : layers_(layers_of(drawn)) {
   }
 }
 
-bool FoldRoom::sides_kept(const Template& variant, std::size_t fold, const ChamberSide& side) const {
-  const Chamber& chamber = chambers_[side.chamber];
-  const SurfaceSketch& sketch = variant.surfaces[chamber.surface];
-  if (sketch.horizontal[fold].points.empty()) return true;
-  const auto points = swept(chamber.arcs, sketch.horizontal[fold], sketch);
-  return common_side(points, LayerInPlane(variant.surfaces[side.layer]), side.margin) == side.inside;
+bool FoldRoom::are_sides_kept(const Template& variant, std::size_t fold, const LayerPlanes& planes) const {
+  std::size_t last_chamber = chambers_.size();
+  std::vector<SweptPoint> points;
+  for (const ChamberSide& side : sides_) {
+    const Chamber& chamber = chambers_[side.chamber];
+    const SurfaceSketch& sketch = variant.surfaces[chamber.surface];
+    if (sketch.horizontal[fold].points.empty()) continue;
+    if (side.chamber != last_chamber) points = swept(chamber.arcs, sketch.horizontal[fold], sketch);
+    last_chamber = side.chamber;
+    if (common_side(points, planes.at(side.layer), side.margin) != side.inside) return false;
+  }
+  return true;
 }
 
 std::vector<bool> FoldRoom::is_sound(const Template& variant) const {
-  // Check each fold.
   const auto& symmetry = std::get<FoldSymmetry>(variant.symmetry);
   const std::vector<double> widths = fold_widths(symmetry);
+
+  // The layers are the same for all folds.
+  LayerPlanes planes;
+  for (const ChamberSide& side : sides_) planes.try_emplace(side.layer, variant.surfaces[side.layer]);
+  std::vector<double> azimuths;  // of one fold after the other
+  for (std::size_t k = 0; k < widths.size(); ++k) {
+    for (std::size_t i = 0; i <= azimuths_per_fold; ++i)
+      azimuths.push_back(symmetry.fold_angles[k] + widths[k] * static_cast<double>(i) / azimuths_per_fold);
+  }
+  std::vector<std::vector<double>> swells_of_all;
+  for (const std::size_t s : layers_.surface) {
+    const SurfaceSketch& sketch = variant.surfaces[s];
+    swells_of_all.push_back(swells(sketch.horizontal.front(), reference_radii(sketch).outer, azimuths));
+  }
+
+  // Check each fold.
   std::vector<bool> sound;
   for (std::size_t k = 0; k < widths.size(); ++k) {
     // Layers must stay apart over the whole fold.
-    std::vector<double> azimuths;
-    for (std::size_t i = 0; i <= azimuths_per_fold; ++i) {
-      azimuths.push_back(symmetry.fold_angles[k] + widths[k] * static_cast<double>(i) / azimuths_per_fold);
-    }
     std::vector<std::vector<double>> layer_swells;
-    for (const std::size_t s : layers_.surface) {
-      const SurfaceSketch& sketch = variant.surfaces[s];
-      layer_swells.push_back(swells(sketch.horizontal.front(), reference_radii(sketch).outer, azimuths));
+    for (const std::vector<double>& all : swells_of_all) {
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>(k * (azimuths_per_fold + 1));
+      layer_swells.emplace_back(first, first + azimuths_per_fold + 1);
     }
     bool fits = are_apart(layers_, layer_swells);
 
     // Chambers must stay on their sides of the layers, and inside or outside each other as drawn.
-    for (const ChamberSide& side : sides_) fits = fits && sides_kept(variant, k, side);
+    fits = fits && are_sides_kept(variant, k, planes);
     for (const Neighbours& pair : neighbours_) {
       const Curve& first = variant.surfaces[pair.first].horizontal[k];
       const Curve& second = variant.surfaces[pair.second].horizontal[k];

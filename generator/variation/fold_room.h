@@ -1,12 +1,15 @@
 // Checks that in every fold of a variant nothing crosses that does not cross in the drawing.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "generator/surface/sweep/profile.h"
 #include "generator/variation/layers.h"
 
 namespace pomona {
+
+class LayerInPlane;
 
 /// Checks a variant as it will be swept. Layers around the axis must not cross. A loop in a fold must stay on the side
 /// of every layer, and of every other loop of its fold, on which it was drawn. What crosses in the drawing may cross.
@@ -18,6 +21,9 @@ class FoldRoom {
   std::vector<bool> is_sound(const Template& variant) const;
 
  private:
+  /// By their indices into Template::surfaces.
+  using LayerPlanes = std::map<std::size_t, LayerInPlane>;
+
   struct Chamber {
     std::size_t surface = 0;  ///< index into Template::surfaces
     ProfileArcs arcs;
@@ -35,7 +41,7 @@ class FoldRoom {
     bool nested = false;
   };
 
-  bool sides_kept(const Template& variant, std::size_t fold, const ChamberSide& side) const;
+  bool are_sides_kept(const Template& variant, std::size_t fold, const LayerPlanes& planes) const;
 
   Layers layers_;
   std::vector<Chamber> chambers_;

@@ -107,7 +107,8 @@ TEST(PatchCover, MayReachBeyondTheRimWhereASideStandsForIt) {
   const VertexFans fans = vertex_fans(solid);
   const LevelSource source = level_source(fans, solid.mesh);
   LevelMesh level = level_mesh(source);
-  const std::optional<Collapse> collapse = collapse_of(source, level, fan_at(fans, at(2, 0)), fan_at(fans, at(1, 0)));
+  const std::optional<Collapse> collapse = collapse_of(
+      source, level, fan_at(fans, at(2, 0)), ring_of_collapse(level, fan_at(fans, at(2, 0)), fan_at(fans, at(1, 0))));
   ASSERT_TRUE(collapse && collapse->border);
   const TriangleCorners corner{{{1, 0, 0}, {3, 0, 0}, {3, 1, 0}}};
   PatchCover cover(source);
@@ -126,7 +127,8 @@ std::size_t uncovered_with_peak(float height) {
   const VertexFans fans = vertex_fans(solid);
   const LevelSource source = level_source(fans, solid.mesh);
   LevelMesh level = level_mesh(source);
-  const std::optional<Collapse> collapse = collapse_of(source, level, fan_at(fans, at(2, 2)), fan_at(fans, at(2, 1)));
+  const std::optional<Collapse> collapse = collapse_of(
+      source, level, fan_at(fans, at(2, 2)), ring_of_collapse(level, fan_at(fans, at(2, 2)), fan_at(fans, at(2, 1))));
   EXPECT_TRUE(collapse);
   if (collapse) apply(level, *collapse);
   std::vector<std::uint32_t> near(source.patch.size());
@@ -154,7 +156,8 @@ TEST(CollapseOf, LeavesAMeshBehind) {
   const VertexFans fans = vertex_fans(solid);
   const LevelSource source = level_source(fans, solid.mesh);
   LevelMesh level = level_mesh(source);
-  const std::optional<Collapse> collapse = collapse_of(source, level, fan_at(fans, at(2, 2)), fan_at(fans, at(3, 2)));
+  const std::optional<Collapse> collapse = collapse_of(
+      source, level, fan_at(fans, at(2, 2)), ring_of_collapse(level, fan_at(fans, at(2, 2)), fan_at(fans, at(3, 2))));
   ASSERT_TRUE(collapse);
   apply(level, *collapse);
   EXPECT_EQ(level.faces, solid.mesh.triangle.size() - 2);
@@ -173,11 +176,13 @@ TEST(MergeChains, CanBeTakenBack) {
   const VertexFans fans = vertex_fans(solid);
   const LevelSource source = level_source(fans, solid.mesh);
   LevelMesh level = level_mesh(source);
-  const std::optional<Collapse> first = collapse_of(source, level, fan_at(fans, at(2, 0)), fan_at(fans, at(1, 0)));
+  const std::optional<Collapse> first = collapse_of(
+      source, level, fan_at(fans, at(2, 0)), ring_of_collapse(level, fan_at(fans, at(2, 0)), fan_at(fans, at(1, 0))));
   ASSERT_TRUE(first);
   merge_chains(level.chains, *first);
   apply(level, *first);
-  const std::optional<Collapse> second = collapse_of(source, level, fan_at(fans, at(1, 0)), fan_at(fans, at(3, 0)));
+  const std::optional<Collapse> second = collapse_of(
+      source, level, fan_at(fans, at(1, 0)), ring_of_collapse(level, fan_at(fans, at(1, 0)), fan_at(fans, at(3, 0))));
   ASSERT_TRUE(second && second->border);
   const BorderChains before = level.chains;
   const std::uint32_t last = merge_chains(level.chains, *second);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/mesh/triangle_distance.h"
@@ -57,6 +58,14 @@ struct Near {
   glm::dvec3 color{0};
 };
 
+/// Triangles of one cut face or surface, beside each other, within a ball.
+struct Cluster {
+  std::size_t first = 0, last = 0;  ///< of the triangles
+  std::size_t far = 0;              ///< the number of its second half; its first half follows it; 0: it is not halved
+  glm::dvec3 middle{0};
+  double radius = 0;
+};
+
 /// The triangles of one cut face or surface, which finds the nearest of them.
 class Patch {
  public:
@@ -65,24 +74,74 @@ class Patch {
   /// The nearest triangle that faces the same way, or of all triangles if `normal` is 0. The search begins at the last
   /// result.
   Near nearest(const glm::dvec3& point, const glm::dvec3& normal = glm::dvec3(0)) {
-    double min = std::numeric_limits<double>::infinity();
-    glm::dvec3 at(0);
-    const auto look_at = [&](std::size_t i) {
-      const ColoredTriangle& triangle = triangles_[i];
-      const double reach = min + triangle.radius;
-      const glm::dvec3 away = point - triangle.middle;
-      if (glm::dot(away, away) > reach * reach || glm::dot(triangle.normal, normal) < 0) return;
-      const glm::dvec3 on = nearest_on_triangle(point, triangle.corner);
-      const double distance = glm::distance(on, point);
-      if (distance < min) min = distance, at = on, last_ = i;
-    };
-    look_at(last_);
-    for (std::size_t i = 0; i < triangles_.size(); ++i) look_at(i);
-    return {min, color_at(triangles_[last_], at)};
+    if (clusters_.empty()) halve(0, triangles_.size());
+    Search search{.point = point, .normal = normal, .min = std::numeric_limits<double>::infinity(), .at = {}};
+    look_at(search, last_);
+    look_into(search, 0);
+    return {search.min, color_at(triangles_[last_], search.at)};
   }
 
  private:
+  struct Search {
+    glm::dvec3 point, normal;
+    double min;
+    glm::dvec3 at;
+  };
+
+  static bool is_beyond(const Search& search, const glm::dvec3& middle, double radius) {
+    const double reach = search.min + radius;
+    const glm::dvec3 away = search.point - middle;
+    return glm::dot(away, away) > reach * reach;
+  }
+
+  void look_at(Search& search, std::size_t i) {
+    const ColoredTriangle& triangle = triangles_[i];
+    if (is_beyond(search, triangle.middle, triangle.radius) || glm::dot(triangle.normal, search.normal) < 0) return;
+    const glm::dvec3 on = nearest_on_triangle(search.point, triangle.corner);
+    const double distance = glm::distance(on, search.point);
+    if (distance < search.min) search.min = distance, search.at = on, last_ = i;
+  }
+
+  void look_into(Search& search, std::size_t c) {
+    const Cluster& cluster = clusters_[c];
+    if (is_beyond(search, cluster.middle, cluster.radius)) return;
+    if (cluster.far == 0) {
+      for (std::size_t i = cluster.first; i < cluster.last; ++i) look_at(search, i);
+      return;
+    }
+    const auto distance = [&](std::size_t half) { return glm::distance(search.point, clusters_[half].middle); };
+    const bool is_far_first = distance(cluster.far) < distance(c + 1);
+    look_into(search, is_far_first ? cluster.far : c + 1);
+    look_into(search, is_far_first ? c + 1 : cluster.far);
+  }
+
+  /// Along the longest side of the box around the middles, down to eight triangles.
+  void halve(std::size_t first, std::size_t last) {
+    const std::size_t c = clusters_.size();
+    glm::dvec3 low = triangles_[first].middle, high = low;
+    for (std::size_t i = first; i < last; ++i)
+      low = glm::min(low, triangles_[i].middle), high = glm::max(high, triangles_[i].middle);
+    Cluster cluster{.first = first, .last = last, .middle = 0.5 * (low + high)};
+    for (std::size_t i = first; i < last; ++i) {
+      const double reach = glm::distance(cluster.middle, triangles_[i].middle) + triangles_[i].radius;
+      cluster.radius = std::max(cluster.radius, reach);
+    }
+    clusters_.push_back(cluster);
+    if (last - first <= 8) return;
+    const glm::dvec3 size = high - low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::size_t half = first + (last - first) / 2;
+    const auto at = [&](std::size_t i) { return triangles_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(first), at(half), at(last), [&](const ColoredTriangle& a, const ColoredTriangle& b) {
+      return a.middle[axis] < b.middle[axis];
+    });
+    halve(first, half);
+    clusters_[c].far = clusters_.size();
+    halve(half, last);
+  }
+
   std::vector<ColoredTriangle> triangles_;
+  std::vector<Cluster> clusters_;
   std::size_t last_ = 0;
 };
 

@@ -102,18 +102,28 @@ struct RealPiece {
 };
 void PrintTo(const RealPiece& piece, std::ostream* out) { *out << piece.fruit << ' ' << piece.knife; }
 
-/// Hundreds of dark seeds lie in bright flesh: each keeps at least the triangles that a closed body needs.
-bool has_hundreds_of_seeds(const std::string& fruit) {
-  return fruit == "dragon_fruit" || fruit == "papaya" || fruit == "passion_fruit";
-}
+/// Hundreds of dark seeds are cut in bright flesh, and all their outlines may move within the bound.
+bool has_dark_outlines(const std::string& fruit) { return fruit == "dragon_fruit" || fruit == "passion_fruit"; }
+
+/// Hundreds of kernels or flat seeds, of several thin layers each: half of the triangles are in bodies so small that
+/// one more collapse would turn over what is left of them.
+bool is_all_small_bodies(const std::string& fruit) { return fruit == "maize" || fruit == "pumpkin"; }
 
 using Levels = std::vector<Solid>;
 
-void expect_as_few_as_asked_for(const Solid& solid, const Levels& levels, bool hundreds_of_seeds) {
-  ASSERT_EQ(levels.size(), 3u);
-  EXPECT_LE(levels[0].mesh.triangle.size(), solid.mesh.triangle.size() / 2);
+/// The largest shares of the solid's triangles that the first two levels may have.
+std::array<double, 2> most_triangles(const std::string& fruit) {
+  if (is_all_small_bodies(fruit)) return {0.53, 0.5};
   // An onion has dozens of roots and wisps, and each keeps at least the triangles that a closed body needs.
-  EXPECT_LE(levels[1].mesh.triangle.size(), solid.mesh.triangle.size() * (hundreds_of_seeds ? 27 : 25) / 75);
+  // So has a papaya hundreds of seeds.
+  return {0.5, fruit == "papaya" ? 0.35 : 1.0 / 3};
+}
+
+void expect_as_few_as_asked_for(const Solid& solid, const Levels& levels, const std::array<double, 2>& most) {
+  ASSERT_EQ(levels.size(), 3u);
+  const auto all = static_cast<double>(solid.mesh.triangle.size());
+  EXPECT_LE(static_cast<double>(levels[0].mesh.triangle.size()), all * most[0]);
+  EXPECT_LE(static_cast<double>(levels[1].mesh.triangle.size()), all * most[1]);
   EXPECT_LT(levels[2].mesh.triangle.size(), levels[1].mesh.triangle.size());
 }
 
@@ -192,18 +202,16 @@ class RealLevels : public testing::TestWithParam<RealPiece> {};
 TEST_P(RealLevels, HoldWhatIsPromised) {
   const Solid solid = piece_of(GetParam().fruit, GetParam().knife);
   const Levels levels = levels_of_detail(solid, {.levels = 3});
-  const bool hundreds_of_seeds = has_hundreds_of_seeds(GetParam().fruit);
-  expect_as_few_as_asked_for(solid, levels, hundreds_of_seeds);
+  expect_as_few_as_asked_for(solid, levels, most_triangles(GetParam().fruit));
   expect_closed(solid, levels);
-  expect_within_the_error(solid, levels, hundreds_of_seeds ? 6 : 4);
+  expect_within_the_error(solid, levels, has_dark_outlines(GetParam().fruit) ? 6 : 4);
   expect_only_known_vertices(solid, levels);
   expect_cut_faces_to_face_as_they_did(levels);
   expect_hardly_more_to_be_turned(solid, levels);
   expect_the_same_again(solid, levels);
 }
 
-/// Half of every template, and a whole fruit; but not of maize and pumpkin, whose kernels and seeds take two minutes
-/// each (`make lod` measures them). Under a sanitizer only one piece, because each takes minutes and all use
+/// Half of every template, and a whole fruit. Under a sanitizer only one piece, because each takes minutes and all use
 /// memory in the same way.
 std::vector<RealPiece> real_pieces() {
 #ifdef __SANITIZE_ADDRESS__
@@ -211,9 +219,7 @@ std::vector<RealPiece> real_pieces() {
 #else
   std::vector<RealPiece> pieces{{"kiwi", ""}};
   for (const auto& entry : std::filesystem::directory_iterator(std::string(POMONA_SOURCE_DIR) + "/templates"))
-    if (const std::string name = entry.path().stem().string();
-        entry.path().extension() == ".toml" && name != "maize" && name != "pumpkin")
-      pieces.push_back({name, "half"});
+    if (entry.path().extension() == ".toml") pieces.push_back({entry.path().stem().string(), "half"});
   std::sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.fruit < b.fruit; });
   return pieces;
 #endif
@@ -313,7 +319,7 @@ Solid ball_of_three_parts() {
 
 /// The number is the same from every compiler. It may change only if the choice of collapses is changed on purpose.
 TEST(LevelsOfDetail, HaveTheSameBytesEverywhere) {
-  EXPECT_EQ(hash_of(levels_of_detail(ball_of_three_parts(), {.levels = 6})), 5878379542693664726u);
+  EXPECT_EQ(hash_of(levels_of_detail(ball_of_three_parts(), {.levels = 6})), 2380572424917338935u);
 }
 
 TEST(LevelsOfDetail, KeepPartsApartWhereThreeMeet) {

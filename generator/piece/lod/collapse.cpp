@@ -66,14 +66,17 @@ bool add_sector(const LevelSource& source, const LevelMesh& level, std::size_t f
 
 }  // namespace
 
-std::optional<Collapse> collapse_of(const LevelSource& source, const LevelMesh& level, std::uint32_t fan,
-                                    std::uint32_t to) {
-  Collapse collapse{.ring = ring_around(level.mesh, fan), .fan = fan, .sector = {}, .border = {}};
-  Ring& ring = collapse.ring;
+Ring ring_of_collapse(const LevelMesh& level, std::uint32_t fan, std::uint32_t to, Ring recycled) {
+  Ring ring = ring_around(level.mesh, fan, std::move(recycled));
   const auto is_first = [&](const Spoke& spoke) { return spoke.fan == to; };
   std::rotate(ring.begin(), std::find_if(ring.begin(), ring.end(), is_first), ring.end());
-  if (ring.size() < 3 || !keeps_topology(level, ring)) return std::nullopt;
+  if (ring.size() < 3 || !keeps_topology(level, ring)) ring.clear();
+  return ring;
+}
 
+std::optional<Collapse> collapse_of(const LevelSource& source, const LevelMesh& level, std::uint32_t fan,
+                                    const Ring& ring) {
+  Collapse collapse{.ring = ring, .fan = fan, .sector = {}, .border = {}};
   const auto on_border = [&](const Spoke& spoke) { return level.is_border(spoke.half_edge); };
   const auto end = std::find_if(ring.begin() + 1, ring.end(), on_border);
   if (end == ring.end()) {

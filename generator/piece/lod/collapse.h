@@ -46,10 +46,14 @@ struct Collapse {
   std::uint32_t to() const { return ring.front().fan; }
 };
 
-/// The collapse that moves a vertex to a neighbour. Nothing if the mesh would not stay a manifold, or the vertex would
-/// leave its border or part.
+/// The ring of a vertex, beginning with the neighbour that it would move to. Empty if the mesh would not stay a
+/// manifold. `recycled` gives its memory.
+Ring ring_of_collapse(const LevelMesh& level, std::uint32_t fan, std::uint32_t to, Ring recycled = {});
+
+/// The collapse that moves a vertex to the first neighbour of its ring. Nothing if the vertex would leave its border or
+/// part.
 std::optional<Collapse> collapse_of(const LevelSource& source, const LevelMesh& level, std::uint32_t fan,
-                                    std::uint32_t to);
+                                    const Ring& ring);
 
 /// Appends the merged chain and the vertex between them to the kept chain. Returns the last fan that the kept chain had
 /// before.

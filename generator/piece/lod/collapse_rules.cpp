@@ -35,21 +35,27 @@ bool is_within(const glm::dvec3& a, const glm::dvec3& b, double cosine) {
   return product > 0 && product * product > cosine * cosine * squared(a) * squared(b);
 }
 
+/// A face as it is, and as it would be with one corner elsewhere.
+struct TurnedFace {
+  std::uint32_t face = 0;
+  TriangleCorners before, after;
+  std::array<std::uint32_t, 3> vertex{};  ///< of the solid, after
+};
+
 /// False if the triangle would turn over, face against its vertices' normals or become a needle, and did not before.
-bool keeps_its_side(const LevelSource& source, const LevelMesh& level, const CollapseTarget& target) {
-  const TriangleCorners now = source.corners(level.mesh.corner[target.face]);
-  const glm::dvec3 normal = area_vector(target.corner), normal_now = area_vector(now);
+bool keeps_its_side(const LevelSource& source, const LevelMesh& level, const TurnedFace& turned) {
+  const glm::dvec3 normal = area_vector(turned.after), normal_now = area_vector(turned.before);
   if (!(squared(normal) > 0)) return false;
   if (squared(normal_now) > 0 && !is_within(normal, normal_now, min_cosine_now)) return false;
-  const glm::dvec3& ever = source.normal[target.face];
+  const glm::dvec3& ever = source.normal[turned.face];
   if (squared(ever) > 0 && !is_within(normal, ever, min_cosine_ever)) return false;
   const auto shade = [&](const glm::dvec3& across, const std::array<std::uint32_t, 3>& vertex) {
     const auto& n = source.solid.normal;
     return glm::dot(across, glm::dvec3(n[vertex[0]]) + glm::dvec3(n[vertex[1]]) + glm::dvec3(n[vertex[2]]));
   };
-  if (shade(normal, target.vertex) < 0 && shade(normal_now, level.vertex[target.face]) >= 0) return false;
-  const double roundness = squared_roundness(target.corner);
-  return roundness > narrowest * narrowest || roundness >= squared_roundness(now);
+  if (shade(normal, turned.vertex) < 0 && shade(normal_now, level.vertex[turned.face]) >= 0) return false;
+  const double roundness = squared_roundness(turned.after);
+  return roundness > narrowest * narrowest || roundness >= squared_roundness(turned.before);
 }
 
 /// Everything along the border's two edges must be near the edge that they become.
@@ -147,12 +153,26 @@ bool keeps_to_bounds(const LevelSource& source, const LevelMesh& level, const Le
 
 }  // namespace
 
+bool keeps_sides(const LevelSource& source, const LevelMesh& level, const Ring& ring) {
+  const std::uint32_t to = ring.front().fan, first = ring.front().face, last = ring.back().face;
+  std::uint32_t vertex = level.vertex_at(first != none ? first : last, to);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    // Beyond the border that the vertex moves along, its neighbour may have another colour.
+    if (last != none && level.is_border(ring[i].half_edge)) vertex = level.vertex_at(last, to);
+    const std::uint32_t face = ring[i].face;
+    if (face == none) continue;
+    const std::size_t k = ring[i].half_edge % 3;
+    TurnedFace turned{
+        .face = face, .before = source.corners(level.mesh.corner[face]), .after = {}, .vertex = level.vertex[face]};
+    turned.after = turned.before;
+    turned.after[k] = source.position[to], turned.vertex[k] = vertex;
+    if (!keeps_its_side(source, level, turned)) return false;
+  }
+  return true;
+}
+
 bool allows(const LevelSource& source, LevelMesh& level, const LevelBounds& bounds, PatchCover& cover,
             Collapse& collapse) {
-  for (const CollapseSector& sector : collapse.sector) {
-    for (const CollapseTarget& target : sector.target)
-      if (!keeps_its_side(source, level, target)) return false;
-  }
   if (!collapse.border) return keeps_to_bounds(source, level, bounds, cover, collapse);
   const std::uint32_t last_before = merge_chains(level.chains, collapse);
   if (keeps_to_bounds(source, level, bounds, cover, collapse)) return true;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <queue>
+#include <utility>
 
 #include "generator/piece/lod/collapse.h"
 #include "generator/piece/lod/collapse_cost.h"
@@ -19,18 +19,28 @@ namespace {
 /// The cheapest collapse of a vertex, as far as is known.
 struct CheapestCollapse {
   double cost = 0;
-  std::uint32_t fan = 0, to = 0;
+  std::uint32_t fan = 0, to = none;
+
+  bool operator==(const CheapestCollapse&) const = default;
 
   /// The greatest cost first, as heaps require; no two are equal.
-  bool operator<(const CheapestCollapse& b) const { return cost != b.cost ? cost > b.cost : fan > b.fan; }
+  bool operator<(const CheapestCollapse& b) const {
+    return cost != b.cost ? cost > b.cost : fan != b.fan ? fan > b.fan : to > b.to;
+  }
 };
 
-/// A vertex in the queue: at most once.
 struct QueuedFan {
   bool is_locked = false;
-  bool is_queued = false;
-  bool is_stale = false;               ///< its ring has changed since it was put there
-  std::vector<std::uint32_t> refused;  ///< neighbours it may not move to, until its ring changes
+  bool is_stale = true;                  ///< its ring has changed since its collapses were listed
+  std::uint32_t listed = 0;              ///< how often they were
+  std::vector<CheapestCollapse> choice;  ///< the cheapest last; what was refused is not there
+  CheapestCollapse queued;               ///< to none if it is not in the queue; what else the queue has is outdated
+};
+
+/// A collapse that exceeded the bounds. It is tried again with looser ones.
+struct ExceedingCollapse {
+  CheapestCollapse collapse;
+  std::uint32_t listed = 0;  ///< as often was the vertex, then
 };
 
 class Decimation {
@@ -41,7 +51,10 @@ class Decimation {
         costs_(collapse_costs(source, level_, metres_per_color)),
         cover_(source),
         fans_(source.position.size()) {
-    for (std::size_t f = 0; f < locked.size(); ++f) fans_[f].is_locked = locked[f] != 0;
+    for (std::uint32_t fan = 0; fan < locked.size(); ++fan) {
+      fans_[fan].is_locked = locked[fan] != 0;
+      enqueue(fan);
+    }
   }
 
   const LevelMesh& level() const { return level_; }
@@ -50,32 +63,41 @@ class Decimation {
   const std::vector<std::uint8_t>& changed() const { return changed_; }
 
   void reach(const LevelTarget& target) {
-    // With looser bounds, refused collapses are tried again.
     changed_.assign(source_.patch.size(), 0);
-    for (std::uint32_t fan = 0; fan < fans_.size(); ++fan) {
-      if (level_.mesh.has(fan)) renew(fan);
-    }
+    try_exceeding_again();
     while (level_.faces > target.faces && !queue_.empty()) {
       const CheapestCollapse cheapest = queue_.top();
       queue_.pop();
+      CheapestCollapse& queued = fans_[cheapest.fan].queued;
+      if (!level_.mesh.has(cheapest.fan) || cheapest != queued) continue;
+      queued = {};
       take(cheapest, target.bounds);
     }
   }
 
  private:
+  /// After a refusal, the next collapse of the vertex takes its place in the queue.
   void take(const CheapestCollapse& cheapest, const LevelBounds& bounds) {
     QueuedFan& queued = fans_[cheapest.fan];
-    queued.is_queued = false;
-    if (!level_.mesh.has(cheapest.fan)) return;
     if (!queued.is_stale) {
-      std::optional<Collapse> collapse = collapse_of(source_, level_, cheapest.fan, cheapest.to);
-      if (collapse && allows(source_, level_, bounds, cover_, *collapse)) {
-        make(*collapse);
-        return;
+      queued.choice.pop_back();
+      ring_ = ring_of_collapse(level_, cheapest.fan, cheapest.to, std::move(ring_));
+      if (!ring_.empty() && keeps_sides(source_, level_, ring_)) {
+        std::optional<Collapse> collapse = collapse_of(source_, level_, cheapest.fan, ring_);
+        if (collapse && allows(source_, level_, bounds, cover_, *collapse)) return make(*collapse);
+        if (collapse) exceeding_.push_back({cheapest, queued.listed});
       }
-      queued.refused.push_back(cheapest.to);
     }
     enqueue(cheapest.fan);
+  }
+
+  void try_exceeding_again() {
+    for (const auto& [collapse, listed] : std::exchange(exceeding_, {})) {
+      QueuedFan& queued = fans_[collapse.fan];
+      if (!level_.mesh.has(collapse.fan) || queued.is_stale || queued.listed != listed) continue;
+      queued.choice.insert(std::lower_bound(queued.choice.begin(), queued.choice.end(), collapse), collapse);
+      if (queued.queued != queued.choice.back()) enqueue(collapse.fan);
+    }
   }
 
   void make(const Collapse& collapse) {
@@ -91,31 +113,34 @@ class Decimation {
   /// Called after a change at the vertex. Costs usually grow, so a queued collapse is evaluated again only when its
   /// turn comes.
   void renew(std::uint32_t fan) {
-    fans_[fan].refused.clear();
     fans_[fan].is_stale = true;
-    if (!fans_[fan].is_queued) enqueue(fan);
+    if (fans_[fan].queued.to == none) enqueue(fan);
   }
 
-  /// Enqueues the cheapest collapse that has not been refused. Vertices on a border move along it; where borders meet
-  /// or end, vertices are kept.
   void enqueue(std::uint32_t fan) {
     QueuedFan& queued = fans_[fan];
-    queued.is_stale = false;
     if (queued.is_locked) return;
+    if (queued.is_stale) list_choices(fan);
+    if (queued.choice.empty()) return;
+    queued.queued = queued.choice.back();
+    queue_.push(queued.queued);
+  }
+
+  /// Vertices on a border move along it; where borders meet or end, vertices are kept.
+  void list_choices(std::uint32_t fan) {
+    QueuedFan& queued = fans_[fan];
+    queued.is_stale = false;
+    ++queued.listed;
+    queued.choice.clear();
     ring_ = ring_around(level_.mesh, fan, std::move(ring_));
     const auto on_border = [&](const Spoke& spoke) { return level_.is_border(spoke.half_edge); };
     const auto borders = std::count_if(ring_.begin(), ring_.end(), on_border);
     if (borders != 0 && borders != 2) return;
-    CheapestCollapse best{.cost = std::numeric_limits<double>::infinity(), .fan = fan, .to = none};
     for (const Spoke& spoke : ring_) {
-      if (borders != 0 && !on_border(spoke)) continue;
-      if (std::find(queued.refused.begin(), queued.refused.end(), spoke.fan) != queued.refused.end()) continue;
-      const double cost = cost_of(costs_, source_, level_, fan, spoke, borders != 0);
-      if (cost < best.cost || (cost == best.cost && spoke.fan < best.to)) best.cost = cost, best.to = spoke.fan;
+      if (borders == 0 || on_border(spoke))
+        queued.choice.push_back({cost_of(costs_, source_, level_, fan, spoke, borders != 0), fan, spoke.fan});
     }
-    if (best.to == none) return;
-    queued.is_queued = true;
-    queue_.push(best);
+    std::sort(queued.choice.begin(), queued.choice.end());
   }
 
   const LevelSource& source_;
@@ -125,6 +150,7 @@ class Decimation {
   std::vector<QueuedFan> fans_;  // per fan
   std::vector<std::uint8_t> changed_;
   std::priority_queue<CheapestCollapse> queue_;
+  std::vector<ExceedingCollapse> exceeding_;
   Ring ring_;
 };
 
