@@ -67,6 +67,12 @@ def schema_of(option):
     return {**schema, "description": option["help"]}
 
 
+def batch_formats(options):
+    """All formats that options of batches heed, but pictures of solids, which are no format of a batch."""
+    heeded = [name for option in options if "batch" in option["commands"] for name in option["formats"] if name != "png"]
+    return list(dict.fromkeys(heeded))
+
+
 def with_keys(schema, options):
     """Keys of options first as they stand, new ones in the order of the table, keys that no option has any more taken out."""
     keys = {option["key"]: schema_of(option) for option in options if option["batch_key"]}
@@ -74,7 +80,7 @@ def with_keys(schema, options):
         for key, value in keys.items():
             properties[key] = value
         for format_list in (properties["formats"]["anyOf"][0], properties["formats"]["anyOf"][1]["items"]):
-            format_list["enum"] = ["ply", "glb", "usda", "obj", "stl", "pov", "svg", "html", "pomona", "xml", "urdf"]
+            format_list["enum"] = batch_formats(options)
     return schema
 
 

@@ -13,6 +13,7 @@
 #include "generator/scene/read_dish.h"
 #include "generator/text/one_or_many.h"
 #include "generator/text/read_name.h"
+#include "generator/text/read_range.h"
 #include "generator/text/toml_text.h"
 
 namespace pomona {
@@ -22,40 +23,20 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::size_t max_kinds = 1000;
 
-/// One value, or the ends of a range.
-std::vector<TomlValue> ends_of(const TomlValue& value) {
-  if (!value.is(TomlNode::Kind::array)) return {value, value};
-  std::vector<TomlValue> ends = value.values();
-  if (ends.size() == 2) return ends;
-  value.error("needs two values", "write [lowest, highest], or one value");
-  return {};
-}
-
-template <typename Range, typename Read>
-Range read_law(const TomlValue& value, const Range& fallback, Read&& read) {
-  if (!value.given()) return fallback;
-  const std::vector<TomlValue> ends = ends_of(value);
-  if (ends.empty()) return fallback;
-  const Range range{read(ends[0]), read(ends[1])};
-  if (range.high < range.low) value.error("is empty", "write the lower end first");
-  return range.high < range.low ? fallback : range;
-}
-
 Within number_law(const TomlValue& value, const Within& fallback, const Within& within) {
-  return read_law(value, fallback, [&](const TomlValue& end) { return end.number(fallback.low, within); });
+  return number_range(value, within).value_or(fallback);
 }
 Within angle_law(const TomlValue& value, const Within& fallback, const Within& degrees) {
-  return read_law(value, fallback, [&](const TomlValue& end) { return end.angle(fallback.low, degrees); });
+  const auto read = [&](const TomlValue& end) { return end.angle(fallback.low, degrees); };
+  return read_range<Within>(value, read).value_or(fallback);
 }
 Within length_law(const TomlValue& value, const Within& fallback, const Within& metres) {
-  return read_law(value, fallback, [&](const TomlValue& end) { return end.length(fallback.low, metres); });
+  const auto read = [&](const TomlValue& end) { return end.length(fallback.low, metres); };
+  return read_range<Within>(value, read).value_or(fallback);
 }
 WholeLaw whole_law(const TomlValue& value, const WholeLaw& fallback, int low, int high) {
-  return read_law(value, fallback, [&](const TomlValue& end) { return end.integer(fallback.low, low, high); });
-}
-std::optional<Within> number_law_if_given(const TomlValue& value, const Within& within) {
-  if (!value.given()) return {};
-  return number_law(value, {within.low, within.low}, within);
+  const auto read = [&](const TomlValue& end) { return end.integer(fallback.low, low, high); };
+  return read_range<WholeLaw>(value, read).value_or(fallback);
 }
 
 template <typename Choice>
@@ -243,9 +224,9 @@ class DataReader {
     DataLight& light = data_.light;
     if (table.has("azimuth")) light.azimuth = angle_law(table.get("azimuth"), {}, {-720, 720});
     if (table.has("elevation")) light.elevation = angle_law(table.get("elevation"), {}, {5, 90});
-    light.strength = number_law_if_given(table.get("strength"), {0, 4});
-    light.ambient = number_law_if_given(table.get("ambient"), {0, 4});
-    light.softness = number_law_if_given(table.get("softness"), {0, 1});
+    light.strength = number_range(table.get("strength"), {0, 4});
+    light.ambient = number_range(table.get("ambient"), {0, 4});
+    light.softness = number_range(table.get("softness"), {0, 1});
   }
 
   void read_ground(const TomlTable& table) {
@@ -311,8 +292,8 @@ class DataReader {
     if (!cuts.empty()) kind.cuts.clear();
     for (const TomlValue& cut : cuts) kind.cuts.push_back(read_cut(cut, folder_));
     kind.pieces = whole_law(table.get("pieces"), kind.pieces, 1, 1000);
-    kind.ripeness = number_law_if_given(table.get("ripeness"), range_of(order_option("ripeness")));
-    kind.browning = number_law_if_given(table.get("browning"), range_of(order_option("browning")));
+    kind.ripeness = number_range(table.get("ripeness"), range_of(order_option("ripeness")));
+    kind.browning = number_range(table.get("browning"), range_of(order_option("browning")));
     kind.size = number_law(table.get("size"), kind.size, range_of(order_option("scale")));
     kind.variation = table.get("variation").number(1, range_of(order_option("variation")));
     kind.face_up = table.get("face_up").number(kind.face_up, {0, 1});

@@ -109,8 +109,7 @@ void TriangleTree::fit(std::uint32_t index) {
   for (std::uint32_t i = node.first; i < node.first + node.count; ++i) node.box.add(box_of(corners_[i]));
 }
 
-template <typename Counts>
-TriangleTree::Nearest TriangleTree::nearest_that(const glm::dvec3& point, double within, const Counts& counts) const {
+TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, double within) const {
   Nearest best;
   double best_squared = within * within;
   NodeStack stack;
@@ -119,7 +118,6 @@ TriangleTree::Nearest TriangleTree::nearest_that(const glm::dvec3& point, double
     const Node& node = nodes_[stack.pop()];
     if (squared_distance(node.box, point) >= best_squared) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (!counts(corners_[i])) continue;
       const glm::dvec3 on = nearest_on_triangle(point, corners_[i]);
       const double d = glm::dot(on - point, on - point);
       if (d < best_squared) best_squared = d, best = {std::sqrt(d), on};
@@ -133,16 +131,6 @@ TriangleTree::Nearest TriangleTree::nearest_that(const glm::dvec3& point, double
     stack.push(left < right ? node.first : node.first + 1);
   }
   return best;
-}
-
-TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, double within) const {
-  return nearest_that(point, within, [](const Corners&) { return true; });
-}
-
-TriangleTree::Nearest TriangleTree::nearest_facing(const glm::dvec3& point, const glm::dvec3& normal,
-                                                   double within) const {
-  return nearest_that(point, within,
-                      [&](const Corners& c) { return glm::dot(glm::cross(c[1] - c[0], c[2] - c[0]), normal) >= 0; });
 }
 
 bool TriangleTree::contains(const glm::dvec3& point) const {

@@ -56,10 +56,6 @@ class TriangleTree {
   /// The nearest point of the surface, if one is nearer than `within`.
   Nearest nearest(const glm::dvec3& point, double within = std::numeric_limits<double>::infinity()) const;
 
-  /// The same among triangles whose front faces as the normal does, at right angles at most.
-  Nearest nearest_facing(const glm::dvec3& point, const glm::dvec3& normal,
-                         double within = std::numeric_limits<double>::infinity()) const;
-
   /// True if the mesh winds around the point: decided by a ray along +X whose crossings are counted so that
   /// a ray through an edge or a vertex crosses exactly one of the triangles there.
   bool contains(const glm::dvec3& point) const;
@@ -70,8 +66,6 @@ class TriangleTree {
  private:
   void fit(std::uint32_t node);
   void own_corners();
-  template <typename Counts>
-  Nearest nearest_that(const glm::dvec3& point, double within, const Counts& counts) const;
 
   std::vector<Node> nodes_;  ///< children after their parents
   std::vector<Corners> corners_;

@@ -11,6 +11,7 @@
 #include "generator/order/option_key.h"
 #include "generator/scene/read_dish.h"
 #include "generator/text/read_name.h"
+#include "generator/text/read_range.h"
 #include "generator/text/toml_document.h"
 #include "generator/text/toml_text.h"
 
@@ -92,23 +93,6 @@ void read_view(const TomlTable& table, SceneDescription& scene) {
                   scene.vertical_field};
   if (view.eye == view.target) table.error("looks from its target at itself", "move the eye away");
   scene.view = view;
-}
-
-/// Reads a number, or a range for random numbers, [0.6, 1.4].
-std::optional<Within> read_range(const TomlValue& value, Within within) {
-  if (!value.given()) return {};
-  if (!value.is(TomlNode::Kind::array)) {
-    const double number = value.number(within.low, within);
-    return Within{number, number};
-  }
-  const std::vector<TomlValue> ends = value.values();
-  if (ends.size() != 2) {
-    value.error("needs two numbers", "write [lowest, highest], or one number");
-    return {};
-  }
-  const Within range{ends[0].number(within.low, within), ends[1].number(within.high, within)};
-  if (range.high < range.low) value.error("is empty", "write the lower end first");
-  return range;
 }
 
 class SceneReader {
@@ -236,9 +220,9 @@ class SceneReader {
     if (pieces.as_drawn && table.has("variation"))
       table.get("variation").error("has no effect on what is as drawn", "keep \"variation\" or \"as_drawn\"");
     pieces.detail = table.get("detail").number(1, range_of(order_option("detail")));
-    pieces.size = read_range(table.get("size"), range_of(order_option("scale")));
-    pieces.ripeness = read_range(table.get("ripeness"), range_of(order_option("ripeness")));
-    pieces.browning = read_range(table.get("browning"), range_of(order_option("browning")));
+    pieces.size = number_range(table.get("size"), range_of(order_option("scale")));
+    pieces.ripeness = number_range(table.get("ripeness"), range_of(order_option("ripeness")));
+    pieces.browning = number_range(table.get("browning"), range_of(order_option("browning")));
 
     // Then come the knives, and which of the pieces are placed how often.
     pieces.knives = read_knives(table.get("knives").values(), std::filesystem::path(file_).parent_path());
@@ -282,7 +266,7 @@ SceneDescription read_scene(const std::filesystem::path& file) {
 
 bool is_scene_file(const std::filesystem::path& file) {
   // A data set describes dishes, too.
-  return has_toml_heading(file, {"[[pieces]]", "[bowl]", "[[dishes]]"}) && !has_toml_heading(file, {"[data]"});
+  return has_toml_heading(file, {"[[pieces]]", "[bowl]", "[[dishes]]"}, {"[data]"});
 }
 
 }  // namespace pomona

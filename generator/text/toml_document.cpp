@@ -250,8 +250,6 @@ TomlDocument::~TomlDocument() = default;
 
 TomlTable TomlDocument::root() const { return TomlTable(TomlValue(&state_->root, state_.get(), {})); }
 
-bool TomlDocument::has_errors() const { return !state_->diagnostics.empty(); }
-
 void TomlDocument::throw_if_any() {
   note_unknown(state_->root, *state_);
   throw_if_noted();

@@ -106,7 +106,6 @@ class TomlDocument {
   TomlDocument& operator=(const TomlDocument&) = delete;
 
   TomlTable root() const;
-  bool has_errors() const;
 
   /// Call it when all has been read: adds the unknown keys and throws one Error (bad_data) with the first 20 mistakes
   /// by position, if there are any.

@@ -1,8 +1,8 @@
 // The start of pages: a worker unpacks while the browser prepares WebGL.
 import {Blade} from './blade.js';
-import {Board, fitCanvas} from './board.js';
+import {firstDivisor} from './frame_budget.js';
 import {$, sorry} from './messages.js';
-import {firstDivisor} from './pace.js';
+import {fitCanvas, PageView} from './page_view.js';
 import {Paper} from './paper.js';
 import {Picture} from './picture.js';
 import {Stroke} from './stroke.js';
@@ -32,7 +32,7 @@ export async function beginPage(unpack, what, program) {
     return null;
   }
   canvas.addEventListener('webglcontextlost', () => sorry('The graphics card has dropped this page. Load it again.'));
-  const board = new Board(canvas, picture), blade = new Blade(board), stroke = new Stroke(board);
+  const board = new PageView(canvas, picture), blade = new Blade(board), stroke = new Stroke(board);
   const paper = new Paper(board, options.style);
   /** Draws; stores as `name` the time since the start when the card had drawn it. */
   async function drawNow(name) {

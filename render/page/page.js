@@ -2,10 +2,10 @@
 import {beginPage} from './begin.js';
 import {Body, Shape} from './body.js';
 import {FruitTextures} from './fruit_textures.js';
-import {Hands} from './hands.js';
 import {Knife} from './knives.js';
 import {V} from './linear.js';
 import {sidesOf, trianglesOf} from './piece_mesh.js';
+import {PointerControls} from './pointer_controls.js';
 import {Row} from './row.js';
 import {Tools} from './tools.js';
 
@@ -16,7 +16,7 @@ import {Tools} from './tools.js';
   const {started, loads, unpacking, first, options, picture, board, blade, stroke, paper, drawNow} = begun;
   const nameOf = ({body, part}) =>
     part.replaceAll('_', ' ') + (assets.length > 1 ? `, seed ${body.fruit.header.seed}` : '');
-  new Hands(board, blade, stroke, {nameOf});
+  new PointerControls(board, blade, stroke, {nameOf});
   new Tools(board, blade, stroke, paper);
   board.beginOpening();
   let skinDrawn = null;

@@ -27,12 +27,4 @@ struct PageOptions {
   std::string made_by;        ///< "pomona 0.3.0, seed 2"
 };
 
-/// What other pages need to draw the same fruit (cli/studio).
-struct PageParts {
-  std::string options;  ///< JSON that is safe within a script element
-  std::string worker;   ///< scripts: Asset, LookUp, Skin
-  std::string picture;  ///< scripts: V, M, Card, Knife, Camera, Picture and pieces
-};
-PageParts page_parts(const PageOptions& options);
-
 }  // namespace pomona

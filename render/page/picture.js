@@ -1,8 +1,8 @@
 // The picture: table, shadows, skins and cut faces of bodies.
-import {Card} from './card.js';
 import {linearOf} from './color.js';
 import {FacePasses} from './face_passes.js';
 import {FaceSpeed} from './faces.js';
+import {GpuDevice} from './gpu_device.js';
 import {profilePlaces} from './knives.js';
 import {M, V} from './linear.js';
 
@@ -21,7 +21,7 @@ export class Picture {
   constructor(canvas, {shaders, style}, {program = 'skin', mayBeRough = false} = {}) {
     this.canvas = canvas;
     this.style = style;
-    const card = this.card = new Card(canvas, shaders, !mayBeRough), gl = this.gl = card.gl;
+    const card = this.card = new GpuDevice(canvas, shaders, !mayBeRough), gl = this.gl = card.gl;
     if (!gl) return;
     this.passes = new FacePasses(card, style);
     this.speed = new FaceSpeed();

@@ -2,11 +2,11 @@
 import {beginPage} from './begin.js';
 import {Body, Shape} from './body.js';
 import {FruitTextures} from './fruit_textures.js';
-import {Hands} from './hands.js';
 import {V} from './linear.js';
 import {$, say} from './messages.js';
 import {sparedOfPiece} from './piece_stones.js';
 import {Pile} from './pile.js';
+import {PointerControls} from './pointer_controls.js';
 import {Row} from './row.js';
 import {Tools} from './tools.js';
 
@@ -18,7 +18,7 @@ import {Tools} from './tools.js';
   const nameOf = ({body, part}) =>
     body.instance.name === part ? part : `${body.instance.name}, ${part.replaceAll('_', ' ')}`;
   const isOut = () => board.setting !== pile;
-  new Hands(board, blade, stroke, {
+  new PointerControls(board, blade, stroke, {
     nameOf,
     onTap: (found) => {
       if (!isOut()) pick(found && found.body);

@@ -1,8 +1,8 @@
 // A cut drawn over the fruit.
-import {mostKnives} from './board.js';
 import {Knife} from './knives.js';
 import {M, V} from './linear.js';
 import {$, say} from './messages.js';
+import {mostKnives} from './page_view.js';
 
 export class Stroke {
   constructor(board) {

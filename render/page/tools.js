@@ -1,6 +1,6 @@
 // Sliders, buttons and keys for the knife.
-import {mostKnives} from './board.js';
 import {$} from './messages.js';
+import {mostKnives} from './page_view.js';
 
 export class Tools {
   /** `further`: more keys and their actions. */

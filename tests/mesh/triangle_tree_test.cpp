@@ -31,23 +31,6 @@ TEST(TriangleTree, FindsTheNearestPointAsTryingAllTrianglesDoes) {
   }
 }
 
-TEST(TriangleTree, FindsTheNearestPointOfWhatFacesTheSameWay) {
-  const TriangleTree tree = tree_of(shapes::torus(2, 0.7, 24, 12));
-  const std::vector<glm::dvec3> ways = random_points(200, 1);
-  std::size_t farther = 0, i = 0;
-  for (const glm::dvec3& p : random_points(200, 3)) {
-    const glm::dvec3& way = ways[199 - i++];  // the direction must not depend on the place
-    double min = std::numeric_limits<double>::infinity();
-    for (const TriangleTree::Corners& t : tree.triangles()) {
-      if (glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), way) >= 0)
-        min = std::min(min, glm::distance(p, nearest_on_triangle(p, t)));
-    }
-    EXPECT_DOUBLE_EQ(tree.nearest_facing(p, way).distance, min);
-    farther += min > tree.nearest(p).distance ? 1 : 0;
-  }
-  EXPECT_GT(farther, 50u);
-}
-
 TEST(TriangleTree, ContainsWhatItsMeshWindsAround) {
   // Rays from these points pass through the box's vertices, edges and diagonals.
   const TriangleTree box = tree_of(shapes::box({-1, -1, -1}, {1, 1, 1}, 2));

@@ -1,9 +1,9 @@
 // The fruit, cut live: the page's own picture (render/page), updated when the drawing changes.
-import {fitCanvas} from '../../../render/page/board.js';
 import {Body, boxOfPoints, Shape} from '../../../render/page/body.js';
 import {Camera} from '../../../render/page/camera.js';
 import {FruitTextures} from '../../../render/page/fruit_textures.js';
 import {Knife} from '../../../render/page/knives.js';
+import {fitCanvas} from '../../../render/page/page_view.js';
 import {Picture} from '../../../render/page/picture.js';
 
 const glassShader = `

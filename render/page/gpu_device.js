@@ -1,6 +1,6 @@
 // The GPU device: programs, textures, buffers.
 
-export class Card {
+export class GpuDevice {
   /** `antialias`: true if the canvas has smooth edges; else samples() has them. */
   constructor(canvas, shaders, antialias) {
     this.gl = canvas.getContext('webgl2', {antialias, premultipliedAlpha: true, powerPreference: 'high-performance'});

@@ -6,9 +6,9 @@ const roughest = 4;             // times fewer pixels along each side
 export const restMs = 80;       // without motion, before a fine frame
 const paceMemory = 3;           // frames; the first ones include compilation
 
-export class Pace {
+export class FrameBudget {
   /**
-   * `measures` is false while a page opens (Board.beginOpening).
+   * `measures` is false while a page opens (PageView.beginOpening).
    * @param {{gl: WebGL2RenderingContext, isSoftware: boolean}} card
    */
   constructor({gl, isSoftware}) {

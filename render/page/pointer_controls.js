@@ -1,7 +1,7 @@
 // Pointer controls: they turn, zoom, draw, move the knife, and show the name under the pointer.
 import {$} from './messages.js';
 
-export class Hands {
+export class PointerControls {
   /** `nameOf(found)`: the name of a result of board.at(); `onTap(found)`: for a press without motion. */
   constructor(board, blade, stroke, {nameOf, onTap = (_found) => {}}) {
     this.board = board;

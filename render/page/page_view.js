@@ -1,10 +1,10 @@
 // The view: bodies in their setting, their knives, the camera, and when to draw again.
 import {boxOfPoints} from './body.js';
 import {Camera} from './camera.js';
+import {FrameBudget, restMs} from './frame_budget.js';
 import {Knife} from './knives.js';
 import {M, V} from './linear.js';
 import {say, sorry} from './messages.js';
-import {Pace, restMs} from './pace.js';
 
 export const mostKnives = 4;
 
@@ -25,7 +25,7 @@ export function fitCanvas(canvas, divisor) {
   }
 }
 
-export class Board {
+export class PageView {
   /** `setting`: bodies, size of a body, setKnives(), arrange(apart, open). */
   constructor(canvas, picture) {
     this.canvas = canvas;
@@ -47,7 +47,7 @@ export class Board {
     this.hasMoved = false;
     this.lastMoved = 0;
     this.bounds = null;
-    this.pace = new Pace(picture.card);
+    this.pace = new FrameBudget(picture.card);
     this.calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
     /** Callbacks for changed knives and for drawn frames. */
     this.onKnives = this.onFrame = () => {};
