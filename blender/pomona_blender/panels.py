@@ -13,6 +13,9 @@ from .pictures import icon_of
 from .settings import root_of
 from .workshop import workshop
 
+# Of the menu of fruit: more would not fit a small screen.
+ROWS = 22
+
 # Shown first; all others stand in a panel of their own, in the order of the table.
 FIRST = ("seed", "ripeness", "browning", "folds", "scale", "texture", "quality")
 
@@ -26,7 +29,7 @@ class POMONA_MT_add(bpy.types.Menu):
             layout.label(text=INSTALL, icon="INFO")
             return
         layout.operator_context = "EXEC_REGION_WIN"
-        grid = layout.column_flow(columns=2)
+        grid = layout.column_flow(columns=-(-len(workshop().templates) // ROWS))
         for one in workshop().templates:
             grid.operator("pomona.add", text=one.title, icon_value=icon_of(one.name)).template = one.name
         layout.separator()

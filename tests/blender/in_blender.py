@@ -327,7 +327,7 @@ class InBlender(unittest.TestCase):
         self.assertIn(str(copy), root.pomona.made)
         self.edit_and_follow(root, folder)
         bpy.context.view_layer.objects.active = root
-        with self.assertRaisesRegex(RuntimeError, "did not start: error: .*hint: go on in its window"):
+        with self.assertRaisesRegex(RuntimeError, "did not start: .*is open in another studio hint: "):
             bpy.ops.pomona.studio()
 
     def drawn_copy(self, folder):
