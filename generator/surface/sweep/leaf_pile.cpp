@@ -338,8 +338,8 @@ double usual_height(const Ground& top) {
   return *middle;
 }
 
-/// What heights are divided by, so that the last leaf lies on the outer curve: the pile's own height, smoothed. It
-/// fades to 1 at the base, where leaves leave the axis. No order changes.
+/// What heights are divided by, so that the last leaf lies on the outer curve: the pile's own height, smoothed. At the
+/// base it is at least 1: a low pile is not drawn out of what it grows from. No order changes.
 Ground divisor_of(const Ground& top) {
   Ground divisor = top;
   for (int pass = 0; pass < 4; ++pass) divisor = divisor.mean(5);
@@ -347,7 +347,8 @@ Ground divisor_of(const Ground& top) {
     for (int j = 0; j < cells; ++j) {
       const double distance = glm::length(glm::dvec2(cell_place(i), cell_place(j)));
       const double share = std::clamp((0.93 - distance) / 0.35, 0.0, 1.0), smooth = share * share * (3 - 2 * share);
-      divisor.at(i, j) = 1 + smooth * (std::max(divisor.at(i, j), 0.5) - 1);
+      const double own = std::max(divisor.at(i, j), 0.5);
+      divisor.at(i, j) = std::max(own, 1 + smooth * (own - 1));
     }
   }
   return divisor;
@@ -366,7 +367,7 @@ std::vector<SweptGrid> leaf_shells(const Template& fruit, const SheetSketch& ske
   pile.piled(sketch.gap, least);
   pile.piled(3 * sketch.gap, wider);
   const double low = usual_height(least), slope = (usual_height(wider) - low) / (2 * sketch.gap);
-  if (low > 1.5)
+  if (low > 2.5)
     refuse(fruit, sketch, "so many leaves have no room", "make them fewer or thinner, or the outer curve wider");
   const double gap = slope > 0 ? sketch.gap + std::clamp((1 - low) / slope, 0.0, 0.01) : sketch.gap;
   Ground top;
