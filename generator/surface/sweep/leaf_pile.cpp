@@ -199,12 +199,13 @@ class LeafPile {
   };
 
   /// The heights of all leaves, with this gap between them, metres; `top` becomes the envelope of the last.
-  std::vector<Faces> piled(double gap, Ground& top) const {
+  /// \param divisor what heights are divided by afterwards, about: gaps are so much higher before
+  std::vector<Faces> piled(double gap, const Ground& divisor, Ground& top) const {
     std::vector<Faces> all;
     for (const LeafChance& leaf : leaves_) {
       const Ground floor = top.envelope(facet_);
-      all.push_back(faces_of(leaf, floor, gap));
-      cover(leaf, floor, gap, top);
+      all.push_back(faces_of(leaf, floor, gap, divisor));
+      cover(leaf, floor, gap, divisor, top);
     }
     return all;
   }
@@ -273,7 +274,7 @@ class LeafPile {
     return sketch_.by_age(leaf.age) * (thickness_(y) * edge + (rib > 0 ? rib * reproducible::exp(-aside * aside) : 0));
   }
 
-  Faces faces_of(const LeafChance& leaf, const Ground& floor, double gap) const {
+  Faces faces_of(const LeafChance& leaf, const Ground& floor, double gap, const Ground& divisor) const {
     Faces faces;
     for (int j = 0; j < along_; ++j) {
       for (int i = 0; i < around_; ++i) {
@@ -281,7 +282,8 @@ class LeafPile {
         const glm::dvec2 at{1 - y, across * half_width(leaf, y)};
         const glm::dvec2 ground{at.x * leaf.turn.x - at.y * leaf.turn.y, at.x * leaf.turn.y + at.y * leaf.turn.x};
         const double depth = foliation_.depth(ground);
-        const double low = floor(ground) + (gap_at(gap, y) + lift(leaf, across, y)) / depth;
+        const double low =
+            floor(ground) + (gap_at(gap, y) * std::max(1.0, divisor(ground)) + lift(leaf, across, y)) / depth;
         faces.ground.push_back(ground);
         faces.lower.push_back(low);
         faces.upper.push_back(low + thick(leaf, across, y) / depth);
@@ -291,7 +293,7 @@ class LeafPile {
   }
 
   /// Raises what the leaf lies over, and a cell more to every side.
-  void cover(const LeafChance& leaf, const Ground& floor, double gap, Ground& top) const {
+  void cover(const LeafChance& leaf, const Ground& floor, double gap, const Ground& divisor, Ground& top) const {
     constexpr double margin = 1.03;
     Ground raised;
     for (int i = 0; i < cells; ++i) {
@@ -304,9 +306,9 @@ class LeafPile {
         const double across = std::clamp(wide, -1.0, 1.0), tip = tip_at(leaf, across);
         if (std::fabs(wide) > margin || y < -0.04 || y > 1.015 * tip) continue;
         const double place = std::clamp(y, 0.0, tip);
-        raised.at(i, j) =
-            floor.at(i, j) +
-            (gap_at(gap, place) + lift(leaf, across, place) + thick(leaf, across, place)) / depth_.at(i, j);
+        raised.at(i, j) = floor.at(i, j) + (gap_at(gap, place) * std::max(1.0, divisor.at(i, j)) +
+                                            lift(leaf, across, place) + thick(leaf, across, place)) /
+                                               depth_.at(i, j);
       }
     }
     raised = raised.largest(1);
@@ -338,8 +340,8 @@ double usual_height(const Ground& top) {
   return *middle;
 }
 
-/// What heights are divided by, so that the last leaf lies on the outer curve: the pile's own height, smoothed. It
-/// fades to 1 at the base, where leaves leave the axis. No order changes.
+/// What heights are divided by, so that the last leaf lies on the outer curve: the pile's own height, smoothed. At the
+/// base it is at least 1: a low pile is not drawn out of what it grows from. No order changes.
 Ground divisor_of(const Ground& top) {
   Ground divisor = top;
   for (int pass = 0; pass < 4; ++pass) divisor = divisor.mean(5);
@@ -347,7 +349,8 @@ Ground divisor_of(const Ground& top) {
     for (int j = 0; j < cells; ++j) {
       const double distance = glm::length(glm::dvec2(cell_place(i), cell_place(j)));
       const double share = std::clamp((0.93 - distance) / 0.35, 0.0, 1.0), smooth = share * share * (3 - 2 * share);
-      divisor.at(i, j) = 1 + smooth * (std::max(divisor.at(i, j), 0.5) - 1);
+      const double own = std::max(divisor.at(i, j), 0.5);
+      divisor.at(i, j) = std::max(own, 1 + smooth * (own - 1));
     }
   }
   return divisor;
@@ -359,18 +362,18 @@ std::vector<SweptGrid> leaf_shells(const Template& fruit, const SheetSketch& ske
   const LeafPile pile(sketch, options);
   if (sketch.kind == SheetSketch::Kind::rosette) {
     Ground top;
-    return pile.shells(pile.piled(sketch.gap, top), Ground(1));
+    return pile.shells(pile.piled(sketch.gap, Ground(1), top), Ground(1));
   }
   // What room is left between the two curves, is shared by the gaps: the height of the pile is nearly linear in them.
   Ground least, wider;
-  pile.piled(sketch.gap, least);
-  pile.piled(3 * sketch.gap, wider);
+  pile.piled(sketch.gap, Ground(1), least);
+  pile.piled(3 * sketch.gap, Ground(1), wider);
   const double low = usual_height(least), slope = (usual_height(wider) - low) / (2 * sketch.gap);
-  if (low > 1.5)
+  if (low > 2.5)
     refuse(fruit, sketch, "so many leaves have no room", "make them fewer or thinner, or the outer curve wider");
   const double gap = slope > 0 ? sketch.gap + std::clamp((1 - low) / slope, 0.0, 0.01) : sketch.gap;
   Ground top;
-  const std::vector<LeafPile::Faces> faces = pile.piled(gap, top);
+  const std::vector<LeafPile::Faces> faces = pile.piled(gap, divisor_of(least), top);
   return pile.shells(faces, divisor_of(top));
 }
 
