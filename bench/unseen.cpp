@@ -77,10 +77,12 @@ struct Lack {
   double share = 1;
 };
 
+/// Fruit without folds has no chambers that a half may miss on one side: both sides together count as two equal ones.
 double lesser_side(const Json& row, const std::string& part) {
   const Json& sides = row["half"]["sides"];
   if (!sides.contains(part)) return 0;
-  return std::min(sides[part][0].get<double>(), sides[part][1].get<double>());
+  const double left = sides[part][0], right = sides[part][1];
+  return row["folds"] == 1 ? 0.5 * (left + right) : std::min(left, right);
 }
 
 /// The inner part of which the half has least, compared with the drawing.
