@@ -4,6 +4,7 @@
 
 #include "cli/options/file_kind.h"
 #include "cli/options/program_folders.h"
+#include "generator/base/small_ending.h"
 #include "render/style/style_file.h"
 
 namespace fs = std::filesystem;
@@ -11,7 +12,7 @@ namespace fs = std::filesystem;
 namespace pomona {
 
 Style find_style(const std::string& name_or_path) {
-  const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
+  const bool is_path = name_or_path.find('/') != std::string::npos || small_ending(name_or_path) == ".toml";
   if (is_path) {
     const fs::path file = existing_file(name_or_path);
     check_kind(file, FileKind::style);

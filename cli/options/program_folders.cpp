@@ -5,6 +5,7 @@
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/nearest_name.h"
+#include "generator/base/small_ending.h"
 
 namespace fs = std::filesystem;
 
@@ -19,11 +20,10 @@ std::vector<fs::path> candidates(const std::string& kind) {
   return folders;
 }
 
-/// Whether a word is a path: it has a folder, or the ending of a file that is read.
+/// Whether a word is a path: it has a folder, or the ending of a file that is read, in capitals or small letters.
 bool is_path(const std::string& text) {
-  const fs::path path(text);
   for (const char* ending : {".toml", ".ply", ".obj", ".glb", ".svg", ".json", ".png"})
-    if (path.extension() == ending) return true;
+    if (small_ending(text) == ending) return true;
   return text.find('/') != std::string::npos;
 }
 

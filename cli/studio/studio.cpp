@@ -20,6 +20,7 @@
 #include "generator/base/error.h"
 #include "generator/base/free_memory.h"
 #include "generator/base/parallel.h"
+#include "generator/base/small_ending.h"
 #include "generator/template/read/read_template.h"
 #include "generator/text/toml_text.h"
 
@@ -86,7 +87,7 @@ Opened copy_of(const fs::path& original) {
 
 Opened opened(const StudioCommand& command) {
   const fs::path file = command.fruit;
-  const bool is_path = file.extension() == ".toml" || file.has_parent_path();
+  const bool is_path = small_ending(file) == ".toml" || file.has_parent_path();
   if (is_path && !fs::exists(file)) return new_fruit(file, command);
   if (command.starting.is_told())
     throw Error(ExitStatus::usage, "--picture and --folds are for a fruit that is not there yet",

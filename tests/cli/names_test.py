@@ -54,6 +54,14 @@ class Names(unittest.TestCase):
         self.assertIn(b"x\\x1b[31m\\n\t", fruit)
         self.assertTrue(any(b"q\\x1b[31mred\\nline" in line for line in styles.splitlines()), styles)
 
+    def test_endings_may_be_capitals(self):
+        self.cherry("CHERRY.TOML")
+        shutil.copy(SOURCE / "styles/ink.toml", self.path / "INK.TOML")
+        self.pomona("grow", "CHERRY.TOML", "--detail", "0.3", "-o", "SCAN.PLY")
+        self.pomona("check", "SCAN.PLY")
+        self.pomona("cut", "SCAN.PLY", *QUICK, "--style", "INK.TOML", "-o", "OUT.GLB")
+        self.assertEqual((self.path / "OUT.GLB").read_bytes()[:4], b"glTF")
+
     def test_a_name_cannot_make_a_line_of_its_own(self):
         self.cherry("good\nx.toml: ok")
         for words, status in ((["check", "no\nx.toml: error: all well"], 66), (["cut", "no\nerror: y", *QUICK, "-o", "x.glb"], 66),
