@@ -63,7 +63,7 @@ test-rest: build .npm ## 24 templates by five knives come to rest in MuJoCo, wel
 	@scripts/setup.sh build test programs
 	node tests/programs/mujoco_rest.mjs build/pomona out/rest
 	node tests/programs/mujoco_welds.mjs build/pomona out/rest
-	node tests/programs/mujoco_dishes.mjs build/pomona out/rest $(addprefix scenes/,market_crate.toml chopping_board.toml conveyor.toml strewn_hill.toml)
+	node tests/programs/mujoco_dishes.mjs build/pomona out/rest $(addprefix scenes/,market_crate.toml chopping_board.toml conveyor.toml strewn_hill.toml fruit_bowl.toml)
 
 golden-renew: build ## keeps what is drawn now as golden pictures: NAME="onion_half pile" (or all) REASON="why"
 	@scripts/setup.sh test programs

@@ -59,11 +59,12 @@ for (const template of templates) {
     }
     // At rest: for half a second nothing is faster than a centimetre a second.
     let still = 0;
+    const half = 0.5 / model.opt.timestep;
     run(simulation, 5, () => {
       still = speed(simulation, 0.03) < 0.01 ? still + 1 : 0;
-      return still >= 250;
+      return still >= half;
     });
-    if (still < 250) wrong.push(`${what}: ${speed(simulation, 0.03).toFixed(4)} m/s after ${data.time.toFixed(2)} s`);
+    if (still < half) wrong.push(`${what}: ${speed(simulation, 0.03).toFixed(4)} m/s after ${data.time.toFixed(2)} s`);
     simulation.close();
   }
 }
