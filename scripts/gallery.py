@@ -29,7 +29,11 @@ STAGED = {  # how halves are shown, where not as all are
     "star_fruit": ["--view=-22,34"],  # from below, where its ribs are in sight
 }
 STANDING = {"star_fruit": ["--view=18,35"]}  # a whole fruit, likewise: past a rib, and onto the star
-ACROSS = {"cherry": "plane:0,1,0,13mm"}  # through the stone: with the long stem, half the height lies above it
+ACROSS = {
+    "cherry": "plane:0,1,0,13mm",  # through the stone: with the long stem, half the height lies above it
+    "bread": "plane:1,0,0,0mm",  # these lie: a slice
+    "salami": "plane:1,0,0,0mm",
+}
 ROW = 800, 240  # pixels: seeds side by side, at one scale; shown at ROW_SHOWN
 WIDE = 360, 240  # pixels; shown at WIDE_SHOWN
 LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
