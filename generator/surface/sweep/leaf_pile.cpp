@@ -369,7 +369,7 @@ std::vector<SweptGrid> leaf_shells(const Template& fruit, const SheetSketch& ske
   pile.piled(sketch.gap, Ground(1), least);
   pile.piled(3 * sketch.gap, Ground(1), wider);
   const double low = usual_height(least), slope = (usual_height(wider) - low) / (2 * sketch.gap);
-  if (low > 2.5)
+  if (low > 4)
     refuse(fruit, sketch, "so many leaves have no room", "make them fewer or thinner, or the outer curve wider");
   const double gap = slope > 0 ? sketch.gap + std::clamp((1 - low) / slope, 0.0, 0.01) : sketch.gap;
   Ground top;
