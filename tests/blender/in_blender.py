@@ -200,8 +200,10 @@ class InBlender(unittest.TestCase):
             plane.location.y += 0.004
             plane.rotation_euler.z = 0.1 * step
             bpy.context.view_layer.update()
-            took, longest = tick_until(lambda: root.pomona.made == settings.hasty(
-                settings.order_of(root, workshop().asked), workshop().asked).key)
+            order = settings.order_of(root, workshop().asked)
+            # A slow machine may go on to the lasting cut at once.
+            wanted = (settings.hasty(order, workshop().asked).key, order.key)
+            took, longest = tick_until(lambda: root.pomona.made in wanted)
             self.assertLess(longest, 0.5)
             bpy.context.view_layer.update()
             inverse = plane.matrix_world.inverted()
