@@ -4,7 +4,7 @@
 //   node studio_texts.mjs TEMPLATES [PROGRAM FOLDER]
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {copyFileSync, cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 
 import {colorKind, hexOf, overTheSeam, rampAt, rampEdit, readRamp, shareKind} from '../../cli/studio/page/ramp.js';
@@ -157,6 +157,7 @@ if (program) {
   for (const name of readdirSync(templates).filter(
          (file) => !file.endsWith('.toml') && /\.(svg|ply|glb|obj)$/.test(file)))
     copyFileSync(join(templates, name), join(folder, name));
+  cpSync(join(templates, 'organs'), join(folder, 'organs'), {recursive: true});  // what some of them place
   for (const name of files) {
     let toml = readFileSync(join(templates, name), 'utf8');
     surfacesIn(toml).forEach((_, index) => ['front', 'back'].forEach((which) => {
