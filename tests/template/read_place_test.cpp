@@ -118,6 +118,12 @@ TEST_F(ReadPlace, mistakes_in_what_is_placed_are_told_there) {
   EXPECT_THAT(fault("good"), testing::HasSubstr("bad.toml"));
 }
 
+TEST_F(ReadPlace, what_is_missing_is_told_alone) {
+  write("bunch", place_of("none.toml", "press = { surface = \"skin\" }\nmerge = { skin = \"skin\" }\n"));
+  EXPECT_THAT(fault("bunch"), testing::HasSubstr("cannot be read"));
+  EXPECT_THAT(fault("bunch"), testing::Not(testing::HasSubstr("unknown key")));
+}
+
 TEST(ReadPlaceMistakes, are_found) {
   constexpr std::array mistakes{
       Mistake{

@@ -5,18 +5,13 @@
 
 #include "generator/template/curve_faults.h"
 #include "generator/template/read/read_depth.h"
+#include "generator/template/read/surface_names.h"
 
 namespace pomona {
 
 namespace {
 
 constexpr double max_share = 0.5;  // more balls of chance do not fit into a volume
-
-std::vector<std::string> names_of(const std::vector<SurfaceSketch>& surfaces) {
-  std::vector<std::string> names;
-  for (const SurfaceSketch& surface : surfaces) names.push_back(surface.name);
-  return names;
-}
 
 /// Notes what grains cannot fill.
 void check_inside(const TomlValue& value, const SurfaceSketch& surface) {
@@ -55,7 +50,7 @@ void read_proportions(const TomlValue& value, double size, GrainForm& form) {
 }  // namespace
 
 void read_grain_volume(const TomlTable& table, const Template& fruit, GrainSketch& grain) {
-  const std::vector<std::string> names = names_of(fruit.surfaces);
+  const std::vector<std::string> names = surface_names(fruit);
   const TomlValue inside = table.need("inside");
   grain.surface = inside.choice(names);
   if (const auto at = static_cast<std::size_t>(grain.surface); at < fruit.surfaces.size())

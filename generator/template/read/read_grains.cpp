@@ -11,6 +11,7 @@
 #include "generator/template/read/read_grain_volume.h"
 #include "generator/template/read/read_law.h"
 #include "generator/template/read/read_paint.h"
+#include "generator/template/read/surface_names.h"
 
 namespace pomona {
 
@@ -68,8 +69,7 @@ GrainGround read_ground(const TomlTable& table, const Template& fruit, const Sur
 std::vector<int> read_clear_of(const TomlValue& value, const Template& fruit) {
   std::vector<int> surfaces;
   if (!value.given()) return surfaces;
-  std::vector<std::string> names;
-  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
+  const std::vector<std::string> names = surface_names(fruit);
   for (const TomlValue& name : value.values()) {
     if (surfaces.size() == names.size()) break;
     surfaces.push_back(name.choice(names));
@@ -234,8 +234,7 @@ void refuse_crowd(const TomlTable& table, const GrainSketch& grain) {
 
 /// What grains over a surface say.
 void read_strewn(const TomlTable& table, const Template& fruit, GrainSketch& grain) {
-  std::vector<std::string> names;
-  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
+  const std::vector<std::string> names = surface_names(fruit);
   grain.surface = table.need("surface").choice(names);
   const auto at = static_cast<std::size_t>(grain.surface);
   grain.on_front = table.get("side").choice({"front", "back"}) == 0;

@@ -9,6 +9,7 @@
 #include "generator/template/read/placed_parts.h"
 #include "generator/template/read/read_law.h"
 #include "generator/template/read/read_stops.h"
+#include "generator/template/read/surface_names.h"
 #include "generator/text/read_name.h"
 
 namespace fs = std::filesystem;
@@ -18,12 +19,6 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t max_places = 8, max_levels = 4, max_parts = 64;
-
-std::vector<std::string> surface_names(const Template& fruit) {
-  std::vector<std::string> names;
-  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
-  return names;
-}
 
 /// The template that a place names. Faults are noted at the value.
 std::shared_ptr<const Template> read_placed(const TomlValue& value, const PlacedWithin& within) {
@@ -167,11 +162,12 @@ std::optional<PlaceSketch> read_place(const TomlTable& table, const PlacedWithin
   if (table.has("stalk")) place.stalk = read_stalk(table.get("stalk").table(), fruit);
   if (place.heading == PlaceSketch::Heading::stalk && !place.stalk)
     table.get("heading").error("looks to a stalk, but there is none", "write stalk = { from = ... }");
-  if (!place.placed) return {};  // noted; keys of the press and of parts would be misleading
-  if (table.has("press")) place.press = read_press(table.get("press").table(), *place.placed, fruit);
+  const TomlValue press = table.get("press"), merge = table.get("merge");
+  if (!place.placed) return {};  // noted; faults of the press and of parts would be misleading
+  if (press.given()) place.press = read_press(press.table(), *place.placed, fruit);
   if (place.press && place.press->root && !place.surface)
-    table.get("press").table().get("root").error("needs a ground", "seats of a cluster lie on no surface");
-  if (table.has("merge")) merged = read_merged(table.get("merge").table(), fruit, *place.placed);
+    press.table().get("root").error("needs a ground", "seats of a cluster lie on no surface");
+  if (merge.given()) merged = read_merged(merge.table(), fruit, *place.placed);
   return place;
 }
 

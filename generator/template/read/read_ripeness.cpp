@@ -6,6 +6,7 @@
 
 #include "generator/template/read/read_depth.h"
 #include "generator/template/read/read_paint.h"
+#include "generator/template/read/surface_names.h"
 
 namespace pomona {
 
@@ -60,8 +61,7 @@ BrowningSketch::Part read_browning_part(const TomlTable& table, const Template& 
 }
 
 BrowningSketch::Near read_near(const TomlTable& table, const Template& fruit) {
-  std::vector<std::string> names;
-  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
+  const std::vector<std::string> names = surface_names(fruit);
   BrowningSketch::Near near;
   near.surface = table.need("surface").choice(names);
   near.within = table.need("within").length(1e-3, {1e-5, 1});

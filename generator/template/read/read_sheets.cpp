@@ -7,6 +7,7 @@
 #include "generator/base/units.h"
 #include "generator/template/read/read_paint.h"
 #include "generator/template/read/read_stops.h"
+#include "generator/template/read/surface_names.h"
 #include "generator/text/read_name.h"
 
 namespace pomona {
@@ -133,8 +134,7 @@ SheetSketch read_sheet(const TomlTable& table, CurveReader& curves, const Templa
 std::vector<SheetSketch> read_sheets(const TomlTable& root, CurveReader& curves, const Template& fruit) {
   std::vector<SheetSketch> sheets;
   if (!root.has("sheets")) return sheets;
-  std::vector<std::string> names;
-  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
+  std::vector<std::string> names = surface_names(fruit);
   double triangles = 0;
   for (const TomlTable& entry : root.get("sheets").tables(max_sheet_kinds)) {
     const TomlTable table = entry.called("sheets \"" + entry.get("name").text() + "\"");

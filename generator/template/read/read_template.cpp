@@ -19,6 +19,7 @@
 #include "generator/template/read/read_surface.h"
 #include "generator/template/read/read_variation.h"
 #include "generator/template/read/sketch.h"
+#include "generator/template/read/surface_names.h"
 #include "generator/text/read_name.h"
 #include "generator/text/toml_document.h"
 #include "generator/text/toml_text.h"
@@ -134,8 +135,7 @@ std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SketchSurfaceRea
 /// Names must also differ from those of drawn surfaces.
 std::vector<MeshSketch> read_meshes(const TomlTable& root, const Template& fruit) {
   std::vector<MeshSketch> meshes;
-  std::vector<std::string> names;
-  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
+  std::vector<std::string> names = surface_names(fruit);
   const std::filesystem::path folder = std::filesystem::path(fruit.file).parent_path();
   if (!root.has("mesh")) return meshes;
   for (const TomlTable& table : root.get("mesh").tables(max_meshes)) {
