@@ -8,6 +8,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/variation/species_key.h"
 
 namespace pomona {
 
@@ -116,7 +117,7 @@ double cluster_room(const LawSketch& law) {
 std::vector<glm::dvec3> cluster_seats(const LawSketch& law, VariantKey key) {
   const ClusterRoom room(law);
   std::vector<glm::dvec3> seats = thrown(law, room, RandomStream({}, "law/" + law.name));
-  if (key.seed != 0 || key.index != 0) {
+  if (!is_drawn(key)) {
     const RandomStream random(key, "law/" + law.name);
     const double turn = 2 * pi * random.uniform(0), c = reproducible::cos(turn), s = reproducible::sin(turn);
     for (std::size_t i = 0; i < seats.size(); ++i) {

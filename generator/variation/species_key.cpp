@@ -4,8 +4,10 @@
 
 namespace pomona {
 
+bool is_drawn(VariantKey key) { return key.seed == 0 && key.index == 0; }
+
 VariantKey species_key(VariantKey key, std::string_view species) {
-  if (key.seed == 0 && key.index == 0) return key;
+  if (is_drawn(key)) return key;
   const RandomStream own(key, "species/" + std::string(species));
   return {own.bits(0), own.bits(1)};
 }

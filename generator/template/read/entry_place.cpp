@@ -1,6 +1,7 @@
 #include "generator/template/read/entry_place.h"
 
 #include "generator/base/file_bytes.h"
+#include "generator/template/template.h"
 #include "generator/text/toml_limits.h"
 #include "generator/text/toml_node.h"
 
@@ -28,6 +29,12 @@ SourcePlace entry_place(const std::string& file, const std::string& list, const 
     // The file is not TOML any more: name it as a whole.
   }
   return {file, 0, 0, {}};
+}
+
+void refuse_entry(const Template& fruit, const std::string& list, const std::string& name, const std::string& message,
+                  const std::string& hint) {
+  const SourcePlace place = entry_place(fruit.file.empty() ? fruit.name : fruit.file, list, name);
+  throw Error(ExitStatus::bad_data, {{place, list + " \"" + name + "\": " + message, hint}});
 }
 
 }  // namespace pomona
