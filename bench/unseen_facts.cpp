@@ -17,9 +17,6 @@ namespace pomona::bench {
 
 namespace {
 
-/// A component of a section below this share of it is a crumb.
-constexpr double crumb = 1.0 / 2000;
-
 /// A membrane crosses a grain if more than this share of the grain's vertices lie on the other side.
 constexpr double crossed = 0.04;
 
@@ -42,7 +39,7 @@ double area_of(const CrossSection& section, const glm::uvec3& t) {
   return 0.5 * glm::length(glm::cross(b - a, c - a));
 }
 
-/// Number of components that are smaller than a `crumb` of this area. Triangles are connected at common places.
+/// Number of components that are smaller than a crumb of this area. Triangles are connected at common places.
 int crumbs_of(const CrossSection& section, double area) {
   const std::vector<std::uint32_t> place = places_of(section.position);
   DisjointSets joined(section.position.size());
@@ -52,8 +49,8 @@ int crumbs_of(const CrossSection& section, double area) {
   }
   std::map<std::uint32_t, double> sizes;
   for (const glm::uvec3& t : section.triangle) sizes[joined.root(place[t.x])] += area_of(section, t);
-  return static_cast<int>(std::count_if(sizes.begin(), sizes.end(),
-                                        [&](const auto& component) { return component.second < crumb * area; }));
+  return static_cast<int>(std::count_if(
+      sizes.begin(), sizes.end(), [&](const auto& component) { return component.second < section_crumb * area; }));
 }
 
 FaceFacts face_facts(const GrownFruit& grown, const char* knife, const Diffuser& diffuser) {

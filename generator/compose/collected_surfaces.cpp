@@ -1,7 +1,8 @@
 #include "generator/compose/collected_surfaces.h"
 
-#include <algorithm>
 #include <utility>
+
+#include "generator/surface/merged_names.h"
 
 namespace pomona {
 
@@ -10,13 +11,6 @@ namespace {
 template <typename T>
 void append_all(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
-}
-
-std::int32_t found_or_added(std::vector<std::string>& known, const std::string& name) {
-  const auto found = std::find(known.begin(), known.end(), name);
-  const auto index = static_cast<std::int32_t>(found - known.begin());
-  if (found == known.end()) known.push_back(name);
-  return index;
 }
 
 }  // namespace
@@ -32,12 +26,12 @@ void CollectedSurfaces::add(const DiffusionSurfaces& own, const InstancePose& po
   append_all(all_.front_hidden, own.front_hidden);
   append_all(all_.back_hidden, own.back_hidden);
 
-  std::vector<std::int32_t> surface, part;
-  for (const std::string& name : own.surface_names)
-    surface.push_back(found_or_added(all_.surface_names, place + "." + name));
+  std::vector<std::string> surfaces, parts;
+  for (const std::string& name : own.surface_names) surfaces.push_back(place + "." + name);
   for (std::size_t i = 0; i < own.part_names.size(); ++i)
-    part.push_back(
-        found_or_added(all_.part_names, i < part_names.size() ? part_names[i] : place + "." + own.part_names[i]));
+    parts.push_back(i < part_names.size() ? part_names[i] : place + "." + own.part_names[i]);
+  const std::vector<std::int32_t> surface = merge_names(all_.surface_names, surfaces);
+  const std::vector<std::int32_t> part = merge_names(all_.part_names, parts);
   for (std::size_t t = 0; t < own.triangle_count(); ++t) {
     all_.triangle.push_back(own.triangle[t] + glm::uvec3(first));
     all_.surface.push_back(surface[static_cast<std::size_t>(own.surface[t])]);

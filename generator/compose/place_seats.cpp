@@ -1,7 +1,6 @@
 #include "generator/compose/place_seats.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -36,12 +35,6 @@ double own_triangles(const Template& fruit) {
   return sum;
 }
 
-/// The direction away from the axis; +X on it.
-glm::dvec3 outwards(const glm::dvec3& p) {
-  const double radius = std::sqrt(p.x * p.x + p.z * p.z);
-  return radius > 0 ? glm::dvec3(p.x / radius, 0, p.z / radius) : glm::dvec3(1, 0, 0);
-}
-
 /// Seats in space, and where their stalks leave, both laid along the fruit's axis.
 std::vector<PlaceSeat> seats_in_space(const Template& variant, const PlaceSketch& place, VariantKey key) {
   const LawSketch& law = law_of(variant, place);
@@ -53,7 +46,7 @@ std::vector<PlaceSeat> seats_in_space(const Template& variant, const PlaceSketch
     seat.center = body(p);
     seat.along = high > low ? (p.y - low) / (high - low) : 0.5;
     if (place.stalk) seat.stalk_root = body({0, p.y + place.stalk->rise, 0});
-    seat.normal = outwards(p);
+    seat.normal = away_from_axis(p);
     seat.uphill = {0, 1, 0};
     seats.push_back(seat);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/surface/merged_names.h"
+
 namespace pomona {
 
 bool DiffusionSurfaces::is_hidden(std::size_t triangle_index, SideOf side) const {
@@ -19,17 +21,6 @@ namespace {
 template <typename T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
-}
-
-/// The index of each of `names` in `known`; missing names are added.
-std::vector<std::int32_t> merge_names(std::vector<std::string>& known, const std::vector<std::string>& names) {
-  std::vector<std::int32_t> index;
-  for (const std::string& name : names) {
-    const auto found = std::find(known.begin(), known.end(), name);
-    index.push_back(static_cast<std::int32_t>(found - known.begin()));
-    if (found == known.end()) known.push_back(name);
-  }
-  return index;
 }
 
 }  // namespace

@@ -15,13 +15,9 @@ constexpr int steps = 12;           // that a grain moves, for each of its sizes
 constexpr double clearance = 0.12;  // from a wall, in grains' smallest radii
 constexpr double overlap = 0.8;     // grains that moved may touch each other, but not beyond this share of their sizes
 
-double smallest_radius(const GrainPose& pose) {
-  return std::min({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
-}
-
 /// The pose of an ellipsoid that holds the grain and its clearance. Drops are thicker at their blunt end.
 GrainPose with_clearance(GrainPose pose, const GrainForm& form) {
-  const double more = clearance * smallest_radius(pose), blunt = 1 + 0.25 * form.pointedness;
+  const double more = clearance * min_radius(pose), blunt = 1 + 0.25 * form.pointedness;
   pose = scaled(pose, bulge_of(form.shape));
   pose.thickness *= blunt;
   pose.width *= blunt;
@@ -33,7 +29,7 @@ GrainPose with_clearance(GrainPose pose, const GrainForm& form) {
 glm::dvec3 home_of(const Dart& dart, double sink) {
   constexpr double little = 1e-3;
   const double side = sink > 0 ? -1 : 1;
-  return dart.center + dart.normal * (sink + side * little * smallest_radius(dart.pose));
+  return dart.center + dart.normal * (sink + side * little * min_radius(dart.pose));
 }
 
 /// The dart moved clear of all walls, if it gets there.

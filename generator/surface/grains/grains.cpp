@@ -26,13 +26,6 @@ namespace {
 
 constexpr double max_grains = 20'000;
 
-[[noreturn]] void refuse(const Template& fruit, const GrainSketch& sketch, const std::string& why,
-                         const std::string& hint) {
-  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
-  const SourcePlace place = entry_place(file, "grains", sketch.name);
-  throw Error(ExitStatus::bad_data, {{place, "grains \"" + sketch.name + "\": " + why, hint}});
-}
-
 /// The longest way across the vertical drawing.
 double fruit_size(const Template& fruit) {
   double size = 0;
@@ -192,7 +185,8 @@ std::vector<Dart> filled_volume(const Template& fruit, const GrainSketch& sketch
   try {
     return volume_darts(fruit, sketch, draws, key, options, others);
   } catch (const NoRoom&) {
-    refuse(fruit, sketch, "there is no room for so many", "lower the share of the volume, the wall or the gap");
+    refuse_entry(fruit, "grains", sketch.name, "there is no room for so many",
+                 "lower the share of the volume, the wall or the gap");
   }
 }
 
@@ -215,7 +209,8 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
     const SurfaceSketch& surface = fruit.surfaces.at(static_cast<std::size_t>(sketch.surface));
     if (sketch.volume) {
       expected += volume_room(sketch, surface.vertical);
-      if (expected > max_grains) refuse(fruit, sketch, "more than 20 000 grains", "make the smallest larger");
+      if (expected > max_grains)
+        refuse_entry(fruit, "grains", sketch.name, "more than 20 000 grains", "make the smallest larger");
       placed.push_back(filled_volume(fruit, sketch, draws, key, options, placed));
       append_grains(grains, sketch, placed.back(), draws);
       for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, placed.back(), draws);
@@ -227,12 +222,14 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
       expected += law_room(law_of(fruit, sketch), surface.vertical);
     } else {
       if (!(sketch.spacing.poisson_radius >= 1e-3 * size)) {
-        refuse(fruit, sketch, "their spacing is below 1/1000 of the fruit", "make it the distance between grains");
+        refuse_entry(fruit, "grains", sketch.name, "their spacing is below 1/1000 of the fruit",
+                     "make it the distance between grains");
       }
       targets = grain_targets(grids, sketch, draws.folds);
       expected += room_for_grains(targets, sketch);
     }
-    if (expected > max_grains) refuse(fruit, sketch, "more than 20 000 grains", "make their spacing larger");
+    if (expected > max_grains)
+      refuse_entry(fruit, "grains", sketch.name, "more than 20 000 grains", "make their spacing larger");
 
     std::vector<Dart> others;
     for (const int kind : sketch.spacing.apart_from) {

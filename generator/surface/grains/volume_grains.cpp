@@ -45,10 +45,6 @@ GrainPose grown_by(GrainPose pose, double length) {
   return pose;
 }
 
-double largest_radius(const GrainPose& pose) {
-  return std::max({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
-}
-
 /// The space between the surface that holds the grains and those of which they keep clear.
 class GrainSpace {
  public:
@@ -97,12 +93,10 @@ struct AxisFrame {
 
 AxisFrame frame_at(const BodyMap& map, const glm::dvec3& straight) {
   constexpr double step = 1e-6;  // metres
-  const double radius = std::sqrt(straight.x * straight.x + straight.z * straight.z);
-  const glm::dvec3 away = radius > 0 ? glm::dvec3(straight.x / radius, 0, straight.z / radius) : glm::dvec3(1, 0, 0);
   const glm::dvec3 here = map(straight);
   AxisFrame frame;
   frame.along = glm::normalize(map(straight + glm::dvec3(0, step, 0)) - here);
-  const glm::dvec3 out = map(straight + away * step) - here;
+  const glm::dvec3 out = map(straight + away_from_axis(straight) * step) - here;
   frame.out = glm::normalize(out - glm::dot(out, frame.along) * frame.along);
   frame.around = glm::cross(frame.along, frame.out);
   return frame;
@@ -199,7 +193,7 @@ class VolumeFiller {
     dart.pose.look = look;
     const GrainPose held = body_of(dart.pose, sketch_.form), body = grown_by(held, volume_.apart / 2);
     if (meets(dart.center, body) || !space_.holds(dart.center)) return std::nullopt;
-    const double need = largest_radius(held) + volume_.wall;
+    const double need = max_radius(held) + volume_.wall;
     const double depth = space_.depth(dart.center, std::max(need, skin_));
     if (depth < need || size > volume_.to * volume_.near_skin(depth)) return std::nullopt;
     dart.normal = frame.out;
@@ -210,13 +204,13 @@ class VolumeFiller {
   }
 
   bool meets(const glm::dvec3& center, const GrainPose& body) const {
-    return cells_.any_meets(center, 2 * largest_radius(body), [&](std::size_t i) {
+    return cells_.any_meets(center, 2 * max_radius(body), [&](std::size_t i) {
       return ellipsoids_overlap(center, body, bodies_[i].center, bodies_[i].body);
     });
   }
 
   void add(const glm::dvec3& center, const GrainPose& body) {
-    cells_.add(center, 2 * largest_radius(body), bodies_.size());
+    cells_.add(center, 2 * max_radius(body), bodies_.size());
     bodies_.push_back({center, body});
   }
 

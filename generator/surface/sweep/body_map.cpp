@@ -19,6 +19,11 @@ double place_of_node(int node) { return 2.0 * node / stretches - 1; }
 
 }  // namespace
 
+glm::dvec3 away_from_axis(const glm::dvec3& straight) {
+  const double radius = std::sqrt(straight.x * straight.x + straight.z * straight.z);
+  return radius > 0 ? glm::dvec3(straight.x / radius, 0, straight.z / radius) : glm::dvec3(1, 0, 0);
+}
+
 BodyMap::BodyMap(const Template& fruit) : proportions_(fruit.proportions), bend_(fruit.bend) {
   const HeightRange range = drawn_heights(fruit);
   if (!(range.high > range.low)) return;

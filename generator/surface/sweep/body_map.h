@@ -10,6 +10,9 @@
 
 namespace pomona {
 
+/// The unit vector from the straight fruit's axis to a place; +X for places on it.
+glm::dvec3 away_from_axis(const glm::dvec3& straight);
+
 /// Applies the fruit's proportions, then its twist, then its bend. Cross-sections stay plane and perpendicular to the
 /// bent axis; the axis keeps its length, as in [Barr 1984], but its curvature may change along the axis. The map is
 /// smooth and one-to-one as long as the strain of the bend is small enough (bend_strain.h).

@@ -264,9 +264,7 @@ class DartThrower {
            (any_facing || glm::dot(one.normal, other.normal) > 0);
   }
 
-  static double diameter(const GrainPose& pose) {
-    return 2 * std::max({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
-  }
+  static double diameter(const GrainPose& pose) { return 2 * max_radius(pose); }
 
   /// True unless it overlaps the ellipsoid of another grain. Bodies number the others first, then this kind.
   bool has_room(const Dart& dart) const {

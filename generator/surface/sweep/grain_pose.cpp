@@ -62,10 +62,6 @@ glm::dvec3 facing_of(const GrainStance& stance, const GrainSeat& seat, const glm
   return across(heading, {seat.normal, around, upwards});
 }
 
-double min_radius(const GrainPose& pose) {
-  return std::min({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
-}
-
 /// Columns whose products add up to the ellipsoid's matrix.
 glm::dmat3 spread(const GrainPose& pose) {
   const auto square = [](const glm::dvec3& a) { return glm::dmat3(a * a.x, a * a.y, a * a.z); };
@@ -77,6 +73,14 @@ glm::dmat3 spread(const GrainPose& pose) {
 GrainDraws grain_draws(VariantKey key, const std::string& name) {
   return {RandomStream(key, "grains/" + name), RandomStream(key, "grains/" + name + "/looks"),
           RandomStream(key, "grains/" + name + "/folds")};
+}
+
+double min_radius(const GrainPose& pose) {
+  return std::min({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
+}
+
+double max_radius(const GrainPose& pose) {
+  return std::max({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
 }
 
 glm::dvec3 across(const glm::dvec3& axis, std::initializer_list<glm::dvec3> wishes) {

@@ -42,6 +42,10 @@ struct GrainPose {
 
 GrainPose scaled(GrainPose pose, double factor);
 
+/// The shortest and the longest half axis.
+double min_radius(const GrainPose& pose);
+double max_radius(const GrainPose& pose);
+
 /// The first of the wishes that is not almost along `axis`, made perpendicular to it.
 glm::dvec3 across(const glm::dvec3& axis, std::initializer_list<glm::dvec3> wishes);
 

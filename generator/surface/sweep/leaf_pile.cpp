@@ -9,6 +9,7 @@
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/surface/sweep/sheet_shells.h"
+#include "generator/template/read/entry_place.h"
 
 namespace pomona {
 
@@ -178,8 +179,8 @@ class LeafPile {
         outline_(sketch.outline),
         thickness_(sketch.thickness),
         rib_(sketch.rib.height),
-        around_(std::max(3, static_cast<int>(std::lround(sketch.around * options.detail)))),
-        along_(std::max(3, static_cast<int>(std::lround(sketch.along * options.detail)))) {
+        around_(refined(sketch.around, options.detail, 3)),
+        along_(refined(sketch.along, options.detail, 3)) {
     double wide = 0, far = 0;
     for (const auto& stop : sketch.outline.stops) wide = std::max(wide, stop.value);
     for (const auto& stop : sketch.reach.stops) far = std::max(far, stop.value);
@@ -370,7 +371,8 @@ std::vector<SweptGrid> leaf_shells(const Template& fruit, const SheetSketch& ske
   pile.piled(3 * sketch.gap, Ground(1), wider);
   const double low = usual_height(least), slope = (usual_height(wider) - low) / (2 * sketch.gap);
   if (low > 4)
-    refuse(fruit, sketch, "so many leaves have no room", "make them fewer or thinner, or the outer curve wider");
+    refuse_entry(fruit, "sheets", sketch.name, "so many leaves have no room",
+                 "make them fewer or thinner, or the outer curve wider");
   const double gap = slope > 0 ? sketch.gap + std::clamp((1 - low) / slope, 0.0, 0.01) : sketch.gap;
   Ground top;
   const std::vector<LeafPile::Faces> faces = pile.piled(gap, divisor_of(least), top);

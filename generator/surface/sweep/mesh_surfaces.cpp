@@ -179,11 +179,8 @@ bool may_turn(const MeshSketch& mesh) {
 
 void check_meshes_together(const Template& fruit, const MeshSketch& mesh, std::size_t triangles) {
   if (triangles <= max_mesh_triangles) return;
-  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
-  throw Error(ExitStatus::bad_data,
-              {{entry_place(file, "mesh", mesh.name),
-                "mesh \"" + mesh.name + "\": with it the meshes have more than 2 000 000 triangles together",
-                "simplify them"}});
+  refuse_entry(fruit, "mesh", mesh.name, "with it the meshes have more than 2 000 000 triangles together",
+               "simplify them");
 }
 
 }  // namespace pomona

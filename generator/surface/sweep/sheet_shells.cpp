@@ -6,7 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/surface/sweep/body_map.h"
@@ -17,7 +16,7 @@ namespace pomona {
 
 namespace {
 
-/// Twice the area of the shell's projection along its own normals, positive if its front is outside.
+/// Six times the volume that the fronts enclose; below 0 where they face inwards.
 double six_volumes(const SweptGrid& grid) {
   double sum = 0;
   for (const glm::uvec3& t : grid.triangle) {
@@ -55,12 +54,6 @@ void paint_veins(DiffusionSurfaces& surfaces, const SheetVeins& veins, const Swe
 }
 
 }  // namespace
-
-void refuse(const Template& fruit, const SheetSketch& sketch, const std::string& why, const std::string& hint) {
-  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
-  throw Error(ExitStatus::bad_data,
-              {{entry_place(file, "sheets", sketch.name), "sheets \"" + sketch.name + "\": " + why, hint}});
-}
 
 SweptGrid sheet_shell(const std::vector<glm::dvec3>& lower, const std::vector<glm::dvec3>& upper, int around, int along,
                       double age) {
@@ -101,8 +94,8 @@ SweptGrid sheet_shell(const std::vector<glm::dvec3>& lower, const std::vector<gl
 }
 
 std::vector<SweptGrid> blade_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
-  const int across = std::max(3, static_cast<int>(std::lround(sketch.around * options.detail)));
-  const int along = std::max(3, static_cast<int>(std::lround(sketch.along * options.detail)));
+  const int across = refined(sketch.around, options.detail, 3);
+  const int along = refined(sketch.along, options.detail, 3);
   const double turn = 2 * pi / sketch.count;
   const RandomStream random(options.key, "sheet/" + sketch.name);
   std::vector<SweptGrid> blades;
@@ -119,7 +112,8 @@ std::vector<SweptGrid> blade_shells(const Template& fruit, const SheetSketch& sk
         const double margin = std::clamp(std::min({(u - 1 + reach) / 0.04, (1 - u) / 0.04, v / 0.1}), 0.35, 1.0);
         const double half = 0.5 * sketch.thickness(u) * margin / radius, sway = sketch.sway / radius;
         if (half + std::min(sway, 0.0) > 0.5 * turn - 0.5 * sketch.gap / radius)
-          refuse(fruit, sketch, "they are too thick for their number", "make them thinner, or fewer");
+          refuse_entry(fruit, "sheets", sketch.name, "they are too thick for their number",
+                       "make them thinner, or fewer");
         // All wave alike, a quarter of their distance at most; so they keep it.
         const double wave = std::min(sway, 0.25 * turn) * (1 - v) * reproducible::sin(6 * u + phase) * 0.5;
         const double room = 0.5 * turn - half - 0.5 * sketch.gap / radius;

@@ -27,8 +27,4 @@ std::vector<SweptGrid> blade_shells(const Template& fruit, const SheetSketch& sk
 /// Appends all sheets of the fruit, one surface for each sketch.
 void append_sheets(DiffusionSurfaces& surfaces, const Template& fruit, const SweepOptions& options);
 
-/// Throws the Error for sheets that have no room.
-[[noreturn]] void refuse(const Template& fruit, const SheetSketch& sketch, const std::string& why,
-                         const std::string& hint);
-
 }  // namespace pomona

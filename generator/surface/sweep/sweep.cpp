@@ -23,11 +23,9 @@ namespace {
   const std::string& name = surfaces.surface_names[static_cast<std::size_t>(shell.surface)];
   std::array<char, 80> place{};
   std::snprintf(place.data(), place.size(), "%.4g, %.4g, %.4g", shell.place.x, shell.place.y, shell.place.z);
-  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
-  throw Error(ExitStatus::bad_data, {{entry_place(file, "mesh", name),
-                                      "mesh \"" + name + "\": which way its shell at " + place.data() +
-                                          " (m) should face cannot be told: " + shell.why,
-                                      "write flip = true to turn it, or flip = false to leave it as it is"}});
+  refuse_entry(fruit, "mesh", name,
+               std::string("which way its shell at ") + place.data() + " (m) should face cannot be told: " + shell.why,
+               "write flip = true to turn it, or flip = false to leave it as it is");
 }
 
 }  // namespace

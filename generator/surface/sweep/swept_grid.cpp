@@ -13,10 +13,10 @@
 namespace pomona {
 
 void refuse(const Template& fruit, const SurfaceSketch& sketch, const std::string& why, const std::string& hint) {
-  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
-  const SourcePlace place = entry_place(file, "surface", sketch.name);
-  throw Error(ExitStatus::bad_data, {{place, "surface \"" + sketch.name + "\": " + why, hint}});
+  refuse_entry(fruit, "surface", sketch.name, why, hint);
 }
+
+int refined(int count, double detail, int min) { return std::max(min, static_cast<int>(std::lround(count * detail))); }
 
 double turn_of(double azimuth) {
   const double turns = azimuth / (2 * pi);
@@ -26,9 +26,6 @@ double turn_of(double azimuth) {
 }
 
 namespace {
-
-/// The count at this detail.
-int refined(int count, double detail, int min) { return std::max(min, static_cast<int>(std::lround(count * detail))); }
 
 /// The grids in the fruit's proportions, and bent with it.
 std::vector<SweptGrid> in_place(const Template& fruit, std::vector<SweptGrid> grids) {

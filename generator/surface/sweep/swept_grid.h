@@ -16,6 +16,9 @@ namespace pomona {
 /// An azimuth, radians, as a share of the whole turn, [0, 1).
 double turn_of(double azimuth);
 
+/// A count of vertices at this detail, at least `min`.
+int refined(int count, double detail, int min);
+
 /// Rings of vertices along the vertical curve, with a single vertex where a ring has shrunk to a point:
 /// id = 1 + (j - 1) n + i between two poles. A pure function of the counts, so all variants share it.
 struct SweptGrid {
