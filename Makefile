@@ -120,13 +120,14 @@ sanitize: ## the tests again, under AddressSanitizer and UndefinedBehaviorSaniti
 	ctest --preset sanitize -j $(JOBS)
 
 # The tests that ask for the same bits, the goldens, and hashes of one fruit's files against those of the other compiler.
-clang: clang-bytes ## all of it compiled by clang, and the tests that compare bytes
+clang: clang-bytes ## all of it compiled by clang, each source by itself, and the tests that compare bytes
+	cmake --preset clang
 	cmake --build build-clang -j $(JOBS)
 	ctest --test-dir build-clang --output-on-failure -j $(JOBS) -R 'golden|[Bb]its|[Bb]yte|Thread|Random|Reproducible|Agreement'
 
 clang-bytes: build ## the program compiled by clang: does it write what gcc's writes, and both what is published?
 	@scripts/setup.sh build test clang
-	cmake --preset clang
+	cmake --preset clang-bytes
 	cmake --build build-clang --target pomona -j $(JOBS)
 	@mkdir -p out && rm -f out/gcc.tsv out/clang.tsv
 	scripts/hashes.py make build/pomona out/gcc.tsv --only "tomato 7"

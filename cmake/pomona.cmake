@@ -5,6 +5,9 @@ set(POMONA_FLAGS -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wsha
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 sees overlapping copies in "literal" + std::string that are not there (its bug 105651).
   list(APPEND POMONA_FLAGS -Wno-restrict)
+elseif(POMONA_UNITY)
+  # clang warns where a local hides a name that another source of the unit has.
+  list(APPEND POMONA_FLAGS -Wno-shadow)
 endif()
 if(POMONA_WERROR)
   list(APPEND POMONA_FLAGS -Werror)

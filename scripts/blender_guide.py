@@ -108,7 +108,7 @@ def drawn(name):
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = 480, 360
     scene.view_settings.view_transform, scene.view_settings.look = "Filmic", "High Contrast"
-    developed(scene, 16, str(FOLDER / f"{name}.png"))
+    developed(scene, 48, str(FOLDER / f"{name}.png"))
 
 
 def bowl():

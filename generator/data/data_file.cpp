@@ -164,12 +164,8 @@ class DataReader {
   }
 
   void read_size(const TomlValue& value) {
-    if (!value.given()) return;
-    const std::vector<TomlValue> size = value.values();
-    if (size.size() != 2) {
-      if (value.is(TomlNode::Kind::array)) value.error("needs two numbers", "write [width, height] in pixels");
-      return;
-    }
+    const std::vector<TomlValue> size = value.values(2, "needs two numbers", "write [width, height] in pixels");
+    if (size.empty()) return;
     data_.width = size[0].integer(data_.width, 16, 4096);
     data_.height = size[1].integer(data_.height, 16, 4096);
   }
@@ -186,16 +182,12 @@ class DataReader {
   }
 
   void read_split(const TomlValue& value) {
-    if (!value.given()) return;
-    const std::vector<TomlValue> shares = value.values();
-    if (shares.size() != 3) {
-      if (value.is(TomlNode::Kind::array))
-        value.error("needs three shares", "write [train, validation, test]: [8, 1, 1]");
-      return;
-    }
+    const std::string hint = "write [train, validation, test]: [8, 1, 1]";
+    const std::vector<TomlValue> shares = value.values(3, "needs three shares", hint);
+    if (shares.empty()) return;
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) sum += data_.split[i] = shares[i].number(0, {0, 1e6});
-    if (!(sum > 0)) value.error("has no share above 0", "write [train, validation, test]: [8, 1, 1]");
+    if (!(sum > 0)) value.error("has no share above 0", hint);
     for (double& share : data_.split) share = sum > 0 ? share / sum : 0;
   }
 

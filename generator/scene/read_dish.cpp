@@ -58,15 +58,9 @@ Curve read_profile(const TomlValue& value, double unit) {
 
 glm::dvec3 read_place(const TomlValue& value) {
   constexpr Within anywhere{-100, 100};  // metres
-  glm::dvec3 place(0);
-  if (!value.given()) return place;
-  const std::vector<TomlValue> parts = value.values();
-  if (parts.size() != 3) {
-    if (value.is(TomlNode::Kind::array)) value.error("needs three lengths", "write [\"10cm\", \"0cm\", \"-5cm\"]");
-    return place;
-  }
-  for (int k = 0; k < 3; ++k) place[k] = parts[static_cast<std::size_t>(k)].length(0, anywhere);
-  return place;
+  const auto parts = value.values(3, "needs three lengths", "write [\"10cm\", \"0cm\", \"-5cm\"]");
+  if (parts.empty()) return glm::dvec3(0);
+  return {parts[0].length(0, anywhere), parts[1].length(0, anywhere), parts[2].length(0, anywhere)};
 }
 
 /// Reads only meshes, and only from the scene's folder.

@@ -23,13 +23,8 @@ constexpr Within within_reach{-100, 100};  // metres
 constexpr Within size_of_where{0, 10};
 
 glm::dvec2 read_two(const TomlValue& value, Within within) {
-  glm::dvec2 two(0);
-  if (!value.given()) return two;
-  const std::vector<TomlValue> parts = value.values();
-  if (parts.size() != 2) {
-    if (value.is(TomlNode::Kind::array)) value.error("needs two lengths", "write [\"10cm\", \"-5cm\"]");
-    return two;
-  }
+  const std::vector<TomlValue> parts = value.values(2, "needs two lengths", "write [\"10cm\", \"-5cm\"]");
+  if (parts.empty()) return glm::dvec2(0);
   return {parts[0].length(0, within), parts[1].length(0, within)};
 }
 
@@ -71,12 +66,8 @@ constexpr int max_variants = 4096;  // limit for one entry, and for the scene
 constexpr int max_pieces = static_cast<int>(max_scene_pieces);
 
 glm::dvec3 read_vector(const TomlValue& value, Within within, const glm::dvec3& fallback) {
-  if (!value.given()) return fallback;
-  const std::vector<TomlValue> parts = value.values();
-  if (parts.size() != 3) {
-    if (value.is(TomlNode::Kind::array)) value.error("needs three numbers", "write [x, y, z]");
-    return fallback;
-  }
+  const std::vector<TomlValue> parts = value.values(3, "needs three numbers", "write [x, y, z]");
+  if (parts.empty()) return fallback;
   return {parts[0].number(0, within), parts[1].number(0, within), parts[2].number(0, within)};
 }
 
@@ -126,12 +117,8 @@ class SceneReader {
 
  private:
   void read_size(const TomlValue& value) {
-    if (!value.given()) return;
-    const std::vector<TomlValue> size = value.values();
-    if (size.size() != 2) {
-      if (value.is(TomlNode::Kind::array)) value.error("needs two numbers", "write [width, height] in pixels");
-      return;
-    }
+    const std::vector<TomlValue> size = value.values(2, "needs two numbers", "write [width, height] in pixels");
+    if (size.empty()) return;
     scene_.width = size[0].integer(scene_.width, 16, 16384);
     scene_.height = size[1].integer(scene_.height, 16, 16384);
   }

@@ -184,6 +184,13 @@ std::vector<TomlValue> TomlValue::values() const {
   return values;
 }
 
+std::vector<TomlValue> TomlValue::values(std::size_t count, const std::string& fault, const std::string& hint) const {
+  std::vector<TomlValue> values = this->values();
+  if (values.size() == count) return values;
+  if (is(TomlNode::Kind::array)) error(fault, hint);
+  return {};
+}
+
 std::vector<TomlTable> TomlValue::tables(std::size_t max) const {
   std::vector<TomlTable> tables;
   for (const TomlValue& value : values()) tables.push_back(value.table());

@@ -51,6 +51,8 @@ class TomlValue {
   int choice(const std::vector<std::string>& names, int fallback = 0) const;
 
   std::vector<TomlValue> values() const;  ///< the values of an array
+  /// The values of an array that must have so many; none if it has others, which is noted with `fault` and `hint`.
+  std::vector<TomlValue> values(std::size_t count, const std::string& fault, const std::string& hint = {}) const;
   /// The tables of an array; more than `max` are a mistake, and left out.
   std::vector<TomlTable> tables(std::size_t max = SIZE_MAX) const;
   TomlTable table() const;  ///< if there is none, an empty table that reports nothing

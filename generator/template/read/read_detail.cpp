@@ -41,9 +41,8 @@ void read_sizes(const TomlValue& value, DetailSketch& detail) {
     detail.size = detail.smallest = value.length(detail.size, detail_size);
     return;
   }
-  const std::vector<TomlValue> sizes = value.values();
-  if (sizes.size() != 2)
-    return value.error("has not two lengths", "write the least and the most: [\"0.3mm\", \"1mm\"]");
+  const auto sizes = value.values(2, "has not two lengths", "write the least and the most: [\"0.3mm\", \"1mm\"]");
+  if (sizes.empty()) return;
   detail.smallest = sizes[0].length(detail.smallest, detail_size);
   detail.size = sizes[1].length(detail.size, detail_size);
   if (detail.smallest > detail.size) value.error("is least first, then most");
@@ -58,9 +57,8 @@ void read_change(const TomlTable& table, DetailSketch& detail) {
     if (axis.given()) axis.error("is there beside a color", "keep one of them");
     if (detail.amount < 0) table.get("amount").error("is below 0, and a color is gone towards", "write 0 to 1");
   }
-  if (!axis.given()) return;
-  const std::vector<TomlValue> numbers = axis.values();
-  if (numbers.size() != 3) return axis.error("must have three numbers", "[1, 0, 0] is from dark to light");
+  const auto numbers = axis.values(3, "must have three numbers", "[1, 0, 0] is from dark to light");
+  if (numbers.empty()) return;
   for (int i = 0; i < 3; ++i)
     detail.axis[i] = static_cast<float>(numbers[static_cast<std::size_t>(i)].number(0, {-1, 1}));
   if (detail.axis == glm::vec3(0)) axis.error("has no direction", "[1, 0, 0] is from dark to light");

@@ -36,11 +36,8 @@ void read_sizes(const TomlTable& table, GrainVolume& volume) {
 /// Length, width and thickness of a grain of size 1.
 void read_proportions(const TomlValue& value, double size, GrainForm& form) {
   form.length = form.width = form.thickness = size;
-  if (!value.given()) return;
-  const std::vector<TomlValue> shares = value.values();
-  if (shares.size() != 3) {
-    return value.error("must be length, width and thickness over the size, as in [1.3, 1, 0.8]");
-  }
+  const auto shares = value.values(3, "must be length, width and thickness over the size, as in [1.3, 1, 0.8]");
+  if (shares.empty()) return;
   const Within within{0.1, 3};
   form.length *= shares[0].number(1, within);
   form.width *= shares[1].number(1, within);

@@ -21,12 +21,8 @@ constexpr std::size_t max_looks = 8, max_cores = 4;
 
 /// Reads two numbers of 0..1, by default all of it; `wraps` allows a second number below the first.
 std::pair<double, double> read_stretch(const TomlValue& value, bool wraps = false) {
-  if (!value.given()) return {0, 1};
-  const std::vector<TomlValue> ends = value.values();
-  if (ends.size() != 2) {
-    value.error("must be two places along the curve, as in [0.2, 0.8]");
-    return {0, 1};
-  }
+  const std::vector<TomlValue> ends = value.values(2, "must be two places along the curve, as in [0.2, 0.8]");
+  if (ends.empty()) return {0, 1};
   const double from = ends[0].number(0, {0, 1}), to = ends[1].number(1, {0, 1});
   if (from == to || (!wraps && from > to)) value.error("is empty", "write the lower end first");
   return {from, to};
@@ -184,10 +180,9 @@ GrainCore read_core(const TomlTable& table, const std::vector<std::string>& part
   const TomlValue scale = table.need("scale");
   const Within within{0.01, 1};
   if (scale.is(TomlNode::Kind::array)) {
-    const std::vector<TomlValue> scales = scale.values();
-    if (scales.size() != 3) {
-      scale.error("must be one share, or three for length, width and thickness, as in [0.7, 0.5, 0.5]");
-    } else {
+    const auto scales =
+        scale.values(3, "must be one share, or three for length, width and thickness, as in [0.7, 0.5, 0.5]");
+    if (!scales.empty()) {
       core.form.length = scales[0].number(0.5, within);
       core.form.width = scales[1].number(0.5, within);
       core.form.thickness = scales[2].number(0.5, within);

@@ -19,11 +19,8 @@ bool is_beside(int seats, double angle) { return seats * std::fabs(angle) < radi
 /// Steps of both families can only be equally long if the larger number comes nearer to its whole turns.
 void read_pair(const TomlTable& table, LawSketch& law) {
   const TomlValue value = table.need("pair");
-  const std::vector<TomlValue> pair = value.values();
-  if (pair.size() != 2) {
-    if (value.is(TomlNode::Kind::array)) value.error("must be two numbers of spirals", "write [8, 13]");
-    return;
-  }
+  const std::vector<TomlValue> pair = value.values(2, "must be two numbers of spirals", "write [8, 13]");
+  if (pair.empty()) return;
   law.low_pair = pair[0].integer(law.low_pair, 1, 377);
   law.high_pair = pair[1].integer(law.high_pair, 2, 610);
   const double low = beside_whole_turns(law.low_pair * law.divergence);
@@ -35,9 +32,8 @@ void read_pair(const TomlTable& table, LawSketch& law) {
 }
 
 void read_band(const TomlValue& value, LawSketch& law) {
-  if (!value.given()) return;
-  const std::vector<TomlValue> ends = value.values();
-  if (ends.size() != 2) return value.error("is not a band", "write its lower and upper end, as in [0.2, 0.8]");
+  const auto ends = value.values(2, "is not a band", "write its lower and upper end, as in [0.2, 0.8]");
+  if (ends.empty()) return;
   law.from = ends[0].number(0, {0, 1});
   law.to = ends[1].number(1, {0, 1});
   if (!(law.to > law.from)) value.error("is empty", "write the lower end first");

@@ -76,15 +76,9 @@ std::shared_ptr<const MeshFile> read_once(const TomlValue& value, const fs::path
 }
 
 glm::dvec3 read_point(const TomlValue& value, const Within& where) {
-  glm::dvec3 point(0);
-  if (!value.given()) return point;
-  const std::vector<TomlValue> values = value.values();
-  if (values.size() != 3) {
-    value.error("must be three lengths, as in [\"0mm\", \"55mm\", \"0mm\"]");
-    return point;
-  }
-  for (int k = 0; k < 3; ++k) point[k] = values[static_cast<std::size_t>(k)].length(0, where);
-  return point;
+  const auto values = value.values(3, "must be three lengths, as in [\"0mm\", \"55mm\", \"0mm\"]");
+  if (values.empty()) return glm::dvec3(0);
+  return {values[0].length(0, where), values[1].length(0, where), values[2].length(0, where)};
 }
 
 /// Reads a side that takes the file's colours if it gives none.

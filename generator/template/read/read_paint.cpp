@@ -15,13 +15,9 @@ constexpr Within sizes{1e-5, 1};
 constexpr Within spot_height{-0.01, 0.01};  // metres
 
 std::optional<PatchPlace> read_place(const TomlValue& value, SurfaceType type) {
-  const std::vector<TomlValue> pair = value.values();
-  if (pair.size() != 2) {
-    if (value.is(TomlNode::Kind::array)) {
-      value.error("is not a place", "write [share of the vertical curve, azimuth in degrees], as in [0.4, 120]");
-    }
-    return {};
-  }
+  const auto pair =
+      value.values(2, "is not a place", "write [share of the vertical curve, azimuth in degrees], as in [0.4, 120]");
+  if (pair.empty()) return {};
   if (type == SurfaceType::in_fold) {
     value.error("is for surfaces around the axis only", "scatter spots with \"spacing\", or paint a coat");
   }
@@ -37,17 +33,16 @@ void read_size(const TomlValue& value, SpotSketch& spots) {
     spots.size_min = spots.size_max = value.length(spots.size_min, sizes);
     return;
   }
-  const std::vector<TomlValue> pair = value.values();
-  if (pair.size() != 2) return value.error("is not a size", "write one length, or the least and the most");
+  const auto pair = value.values(2, "is not a size", "write one length, or the least and the most");
+  if (pair.empty()) return;
   spots.size_min = pair[0].length(spots.size_min, sizes);
   spots.size_max = pair[1].length(spots.size_min, sizes);
   if (spots.size_max < spots.size_min) value.error("is upside down", "write the smaller length first");
 }
 
 void read_band(const TomlValue& value, SpotSketch& spots) {
-  if (!value.given()) return;
-  const std::vector<TomlValue> ends = value.values();
-  if (ends.size() != 2) return value.error("is not a band", "write its lower and upper end, as in [0.2, 0.8]");
+  const auto ends = value.values(2, "is not a band", "write its lower and upper end, as in [0.2, 0.8]");
+  if (ends.empty()) return;
   spots.along_from = ends[0].number(0, {0, 1});
   spots.along_to = ends[1].number(1, {0, 1});
   if (!(spots.along_to > spots.along_from)) value.error("is empty", "write the lower end first");

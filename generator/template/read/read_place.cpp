@@ -79,10 +79,8 @@ StalkSketch read_stalk(const TomlTable& table, const Template& fruit) {
   const TomlValue width = table.get("width");
   const Within thick{1e-4, 0.1};
   if (width.is(TomlNode::Kind::array)) {
-    const std::vector<TomlValue> widths = width.values();
-    if (widths.size() != 2) {
-      width.error("must be one length, or two: at the root and at the top");
-    } else {
+    const auto widths = width.values(2, "must be one length, or two: at the root and at the top");
+    if (!widths.empty()) {
       stalk.root_width = widths[0].length(stalk.root_width, thick);
       stalk.top_width = widths[1].length(stalk.top_width, thick);
     }

@@ -24,11 +24,8 @@ BendVariation read_bend_variation(const TomlTable& table, bool has_line) {
 /// One [number, share] of the folds. Anything else gets NaN as its share.
 CountVariation::Folds read_folds(const TomlValue& value) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<TomlValue> pair = value.values();
-  if (pair.size() != 2) {
-    value.error("must be a number of folds and its share of the fruits", "write [5, 0.9]");
-    return {1, none};
-  }
+  const auto pair = value.values(2, "must be a number of folds and its share of the fruits", "write [5, 0.9]");
+  if (pair.empty()) return {1, none};
   return {pair[0].integer(1, 1, max_folds), pair[1].number(none, {0, 1})};
 }
 
