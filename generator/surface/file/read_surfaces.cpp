@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -16,10 +15,11 @@
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
 #include "generator/mesh/polygon_triangles.h"
-#include "generator/surface/file/channel_scale.h"
 #include "generator/surface/file/far_from_origin.h"
 #include "generator/surface/file/outer_skin.h"
 #include "generator/surface/file/ply.h"
+#include "generator/surface/file/ply_colors.h"
+#include "generator/surface/file/ply_names.h"
 #include "generator/surface/file/surface_file.h"
 
 namespace pomona {
@@ -30,7 +30,6 @@ namespace {
 constexpr std::uint64_t max_bytes = std::uint64_t{512} << 20;
 constexpr std::uint64_t max_vertices = 5'000'000;
 constexpr std::uint64_t max_triangles = 10'000'000;
-constexpr double max_names = 65'536;
 constexpr double farthest = 1e6;       ///< metres
 constexpr double farthest_read = 1e8;  ///< metres, before it is moved: the Earth is 4e7 m around
 constexpr double smallest = 1e-6;      ///< metres
@@ -51,80 +50,6 @@ bool has(const PlyElement& element, std::initializer_list<std::string_view> name
                        [&](const PlyProperty& p) { return p.name == name && !p.count_type; });
   });
 }
-
-/// The names of three properties that form a vector.
-using VectorNames = std::array<std::string_view, 3>;
-constexpr std::array<VectorNames, 5> srgb_names{{{"red", "green", "blue"},
-                                                 {"diffuse_red", "diffuse_green", "diffuse_blue"},
-                                                 {"r", "g", "b"},
-                                                 {"color_r", "color_g", "color_b"},
-                                                 {"color_red", "color_green", "color_blue"}}};
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool same_but_for_capitals(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
-}
-
-std::optional<int> channel_of(const PlyProperty& property, const VectorNames& names) {
-  const auto found = std::find_if(names.begin(), names.end(), [&](std::string_view name) {
-    return !property.count_type && same_but_for_capitals(property.name, name);
-  });
-  return found == names.end() ? std::nullopt : std::optional(static_cast<int>(found - names.begin()));
-}
-
-/// The names of an element's colours; nothing without colours.
-std::optional<VectorNames> srgb_of(const PlyElement& element) {
-  for (const VectorNames& names : srgb_names) {
-    int channels = 0;
-    for (const PlyProperty& property : element.properties) channels += channel_of(property, names) ? 1 : 0;
-    if (channels == 3) return names;
-  }
-  return {};
-}
-
-bool is_float(PlyType type) { return type == PlyType::float32 || type == PlyType::float64; }
-
-/// Colours for viewers as in the file. A full channel is 255 for bytes; for floats it depends on the largest.
-class Srgb {
- public:
-  explicit Srgb(const PlyElement& element) : names_(srgb_of(element)) {
-    for (const PlyProperty& property : element.properties) {
-      const std::optional<int> k = names_ ? channel_of(property, *names_) : std::nullopt;
-      if (k) type_[static_cast<std::size_t>(*k)] = property.type;
-    }
-  }
-
-  bool is_there() const { return names_.has_value(); }
-  std::optional<int> channel(const PlyProperty& property) const {
-    return names_ ? channel_of(property, *names_) : std::nullopt;
-  }
-  void add(const glm::dvec3& color) {
-    color_.push_back(color);
-    for (int k = 0; k < 3; ++k)
-      if (is_float(type_[static_cast<std::size_t>(k)])) largest_float_ = std::max(largest_float_, color[k]);
-  }
-  const glm::dvec3& operator[](std::size_t i) const { return color_[i]; }
-
-  Color linear(std::size_t i) const {
-    Color color;
-    for (int k = 0; k < 3; ++k)
-      color[k] = static_cast<float>(linear_from_srgb(std::clamp(color_[i][k] / white(k), 0.0, 1.0)));
-    return color;
-  }
-
- private:
-  double white(int k) const {
-    const PlyType type = type_[static_cast<std::size_t>(k)];
-    if (is_float(type)) return white_of_floats(largest_float_);
-    return type == PlyType::int16 || type == PlyType::uint16 ? 65535 : 255;
-  }
-
-  std::optional<VectorNames> names_;
-  std::array<PlyType, 3> type_{};
-  std::vector<glm::dvec3> color_;
-  double largest_float_ = 0;
-};
 
 class SurfaceReader {
  public:
@@ -247,7 +172,7 @@ class SurfaceReader {
   };
   using Setter = std::function<void(Vertex&, double)>;
 
-  Setter setter_of(const PlyProperty& property, const Srgb& srgb) const {
+  Setter setter_of(const PlyProperty& property, const PlyColors& srgb) const {
     // Ignore list properties of a vertex.
     if (property.count_type) return {};
 
@@ -307,7 +232,7 @@ class SurfaceReader {
   void read_vertices() {
     // Find which value each property sets, and which colours the file has.
     std::vector<Setter> setters;
-    Srgb srgb(*vertices_);
+    PlyColors srgb(*vertices_);
     for (const PlyProperty& property : vertices_->properties) setters.push_back(setter_of(property, srgb));
     const bool has_front = has(*vertices_, {"front_r", "front_g", "front_b"});
     const bool has_back = has(*vertices_, {"back_r", "back_g", "back_b"});
@@ -374,7 +299,7 @@ class SurfaceReader {
   static constexpr std::uint32_t no_face = UINT32_MAX;
 
   void read_faces() {
-    Srgb& srgb = face_color_.emplace(*faces_);
+    PlyColors& srgb = face_color_.emplace(*faces_);
     for (std::uint64_t i = 0; i < faces_->count; ++i) {
       ply_.start_item(*faces_, i);
       Face face;
@@ -442,7 +367,7 @@ class SurfaceReader {
 
   std::int32_t read_index(PlyType type) {
     const double value = ply_.value(type);
-    if (!(value >= 0 && value < max_names) || value != std::floor(value)) {
+    if (!(value >= 0 && value < max_ply_names) || value != std::floor(value)) {
       ply_.fail("surfaces, parts and instances are numbered from 0 to 65535");
     }
     return static_cast<std::int32_t>(value);
@@ -565,41 +490,12 @@ class SurfaceReader {
   void name_surfaces_and_parts() {
     note_texture();
     if (faces_left_out_ > 0) surfaces_.notes.push_back(few_corners_note(faces_left_out_));
-    for (const std::string& comment : ply_.header().comments) {
-      read_name(comment, "surface ", surfaces_.surface_names);
-      read_name(comment, "part ", surfaces_.part_names);
-    }
+    const std::vector<std::string>& comments = ply_.header().comments;
+    surfaces_.surface_names = ply_names(comments, "surface ", {&surfaces_.surface});
+    surfaces_.part_names = ply_names(comments, "part ", {&surfaces_.front_part, &surfaces_.back_part});
     const auto& instance = surfaces_.instance;
     if (std::all_of(instance.begin(), instance.end(), [](std::int32_t i) { return i == 0; }))
       surfaces_.instance.clear();
-    complete(surfaces_.surface_names, surfaces_.surface, "surface ");
-    complete(surfaces_.part_names, surfaces_.front_part, "part ");
-    complete(surfaces_.part_names, surfaces_.back_part, "part ");
-  }
-
-  /// "surface 3 skin" names surface 3; other comments are ignored.
-  static void read_name(std::string_view comment, std::string_view what, std::vector<std::string>& names) {
-    if (!comment.starts_with(what)) return;
-    comment.remove_prefix(what.size());
-    std::size_t index = 0;
-    const auto [end, status] = std::from_chars(comment.data(), comment.data() + comment.size(), index);
-    if (status != std::errc() || static_cast<double>(index) >= max_names) return;
-    comment.remove_prefix(static_cast<std::size_t>(end - comment.data()));
-    if (!comment.empty() && comment.front() != ' ') return;
-    if (!comment.empty()) comment.remove_prefix(1);
-    if (names.size() <= index) names.resize(index + 1);
-    names[index] = comment;
-  }
-
-  /// Gives every index in use a name.
-  static void complete(std::vector<std::string>& names, const std::vector<std::int32_t>& used, std::string_view what) {
-    for (const std::int32_t index : used) {
-      const auto at = static_cast<std::size_t>(index);
-      if (names.size() <= at) names.resize(at + 1);
-    }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i].empty()) names[i] = std::string(what) + std::to_string(i);
-    }
   }
 
   PlyReader ply_;
@@ -607,10 +503,10 @@ class SurfaceReader {
   const PlyElement* faces_ = nullptr;
   const PlyElement* strips_ = nullptr;
   Placing placing_;
-  std::vector<glm::dvec3> exact_;       ///< positions as in the file
-  std::optional<Srgb> face_color_;      ///< one for each face
-  std::vector<std::uint32_t> face_of_;  ///< for each triangle
-  std::vector<Face> awaiting_;          ///< polygons before their vertices
+  std::vector<glm::dvec3> exact_;        ///< positions as in the file
+  std::optional<PlyColors> face_color_;  ///< one for each face
+  std::vector<std::uint32_t> face_of_;   ///< for each triangle
+  std::vector<Face> awaiting_;           ///< polygons before their vertices
   bool has_color_ = false, paints_backs_ = false;
   std::size_t faces_left_out_ = 0;  ///< of less than three corners
   DiffusionSurfaces surfaces_;
