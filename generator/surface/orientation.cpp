@@ -11,50 +11,12 @@
 #include "generator/mesh/edges.h"
 #include "generator/mesh/enclosures.h"
 #include "generator/surface/shell_geometry.h"
+#include "generator/surface/touching_solids.h"
+#include "generator/surface/turned_sets.h"
 
 namespace pomona {
 
 namespace {
-
-/// Sets of triangles; each triangle knows whether it is turned against its set's root.
-class TurnedSets {
- public:
-  explicit TurnedSets(std::size_t count) : parent_(count), turned_(count, 0) {
-    for (std::size_t i = 0; i < count; ++i) parent_[i] = static_cast<std::uint32_t>(i);
-  }
-
-  struct Root {
-    std::uint32_t root;
-    std::uint8_t turned;
-  };
-  Root root(std::uint32_t i) {
-    std::uint32_t top = i;
-    std::uint8_t turned = 0;
-    for (; parent_[top] != top; top = parent_[top]) turned ^= turned_[top];
-    for (std::uint8_t left = turned; parent_[i] != i && parent_[i] != top;) {
-      const std::uint32_t next = parent_[i];
-      const std::uint8_t own = std::exchange(turned_[i], left);
-      left ^= own;
-      parent_[i] = top;
-      i = next;
-    }
-    return {top, turned};
-  }
-
-  /// False if the two are in one set with the opposite orientation.
-  bool join(std::uint32_t a, std::uint32_t b, bool against) {
-    const Root x = root(a), y = root(b);
-    const auto turned = static_cast<std::uint8_t>(x.turned ^ y.turned ^ (against ? 1 : 0));
-    if (x.root == y.root) return turned == 0;
-    parent_[std::max(x.root, y.root)] = std::min(x.root, y.root);
-    turned_[std::max(x.root, y.root)] = turned;
-    return true;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint8_t> turned_;
-};
 
 class Orienter {
  public:
@@ -65,7 +27,9 @@ class Orienter {
   Oriented result() {
     if (std::none_of(may_turn_.begin(), may_turn_.end(), [](std::uint8_t may) { return may != 0; }))
       return std::move(result_);
+    find_turnable();
     turn_alike();
+    turn_touching();
     turn_shells();
     return std::move(result_);
   }
@@ -73,7 +37,9 @@ class Orienter {
  private:
   DiffusionSurfaces& surfaces() { return result_.surfaces; }
 
-  void turn(std::size_t triangle) { std::swap(surfaces().triangle[triangle].y, surfaces().triangle[triangle].z); }
+  void turn(std::size_t triangle) {
+    for (glm::uvec3* t : {&surfaces().triangle[triangle], &turnable_[triangle]}) std::swap(t->y, t->z);
+  }
 
   glm::dvec3 place(std::size_t triangle) {
     glm::dvec3 sum(0);
@@ -81,17 +47,20 @@ class Orienter {
     return sum / 3.0;
   }
 
+  void find_turnable() {
+    turnable_ = find_shells(surfaces()).air_facing;
+    for (std::size_t i = 0; i < turnable_.size(); ++i)
+      if (may_turn_[i] == 0 || !surfaces().is_boundary(i)) turnable_[i] = glm::uvec3(0);
+  }
+
   // ---- Triangles of a shell ----
 
   /// Two triangles that run along their edge in the same direction face opposite ways; the smaller set turns.
   void turn_alike() {
-    std::vector<glm::uvec3> triangles = find_shells(surfaces()).air_facing;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      if (may_turn_[i] == 0 || !surfaces().is_boundary(i)) triangles[i] = glm::uvec3(0);
-    TurnedSets sets(triangles.size());
+    TurnedSets sets(turnable_.size());
     std::vector<std::uint32_t> one_sided;
     bool differ = false;
-    for_each_edge(sorted_half_edges(triangles), [&](std::span<const HalfEdge> edge) {
+    for_each_edge(sorted_half_edges(turnable_), [&](std::span<const HalfEdge> edge) {
       if (edge.size() != 2) return;
       const bool against = edge[0].forward == edge[1].forward;
       differ = differ || against;
@@ -103,15 +72,21 @@ class Orienter {
       result_.undecided.push_back({surfaces().surface[t], place(t), "it has one side only, like a Moebius strip"});
       return;
     }
-    std::vector<std::int64_t> more_turned(triangles.size(), 0);
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    std::vector<std::int64_t> more_turned(turnable_.size(), 0);
+    for (std::uint32_t i = 0; i < turnable_.size(); ++i) {
       const TurnedSets::Root root = sets.root(i);
       more_turned[root.root] += root.turned != 0 ? 1 : -1;
     }
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    for (std::uint32_t i = 0; i < turnable_.size(); ++i) {
       const TurnedSets::Root root = sets.root(i);
       if ((root.turned != 0) != (more_turned[root.root] > 0)) turn(i);
     }
+  }
+
+  void turn_touching() {
+    const std::vector<std::uint8_t> turns = turns_where_solids_touch(surfaces(), turnable_);
+    for (std::size_t i = 0; i < turns.size(); ++i)
+      if (turns[i] != 0) turn(i);
   }
 
   // ---- Shells ----
@@ -131,7 +106,7 @@ class Orienter {
     for (std::size_t s = 0; s < measured.size(); ++s) {
       if (may_turn[s] == 0) continue;
       const std::string why =
-          measured[s].closed ? turn_closed(s, measured[s], closed, triangles[s]) : fault_of_open(measured[s]);
+          measured[s].closed ? turn_closed(s, measured, closed, triangles[s]) : fault_of_open(measured[s]);
       if (why.empty()) continue;
       const std::uint32_t first = triangles[s].front();
       result_.undecided.push_back({surfaces().surface[first], place(first), why});
@@ -153,10 +128,11 @@ class Orienter {
   }
 
   /// Turns the shell if necessary; returns why it cannot be decided, if so.
-  std::string turn_closed(std::size_t s, const Shell& shell, const Enclosures& closed,
+  std::string turn_closed(std::size_t s, const std::vector<Shell>& measured, const Enclosures& closed,
                           const std::vector<std::uint32_t>& triangles) {
+    const Shell& shell = measured[s];
     if (shell.volume == 0) return {};
-    const std::array<int, 2> inside = samples_in_odd_and_even(s, shell, closed);
+    const std::array<int, 2> inside = samples_in_odd_and_even(s, measured, closed);
     const int all = inside[0] + inside[1];
     // Most of its points must agree, so that shells that touch others, or sink in a little, are decided.
     const bool is_odd = 4 * inside[1] >= 3 * all, is_even = 4 * inside[0] >= 3 * all;
@@ -166,8 +142,10 @@ class Orienter {
     return {};
   }
 
-  /// Counts points just within the shell that lie in an even and in an odd number of others.
-  std::array<int, 2> samples_in_odd_and_even(std::size_t s, const Shell& shell, const Enclosures& closed) {
+  /// Counts points just within the shell around which solid lies in an even and in an odd number of other shells.
+  std::array<int, 2> samples_in_odd_and_even(std::size_t s, const std::vector<Shell>& measured,
+                                             const Enclosures& closed) {
+    const Shell& shell = measured[s];
     std::array<int, 2> count{0, 0};
     const std::size_t samples = std::min<std::size_t>(16, shell.triangles.size());
     for (std::size_t k = 0; k < samples; ++k) {
@@ -179,11 +157,31 @@ class Orienter {
       constexpr double depth = 1e-4;  // depth of the points, as a share of the triangle's size
       const glm::dvec3 inwards = (shell.volume > 0 ? -depth : depth) * area / std::sqrt(twice);
       int others = 0;
-      for (const auto& [mesh, times] : closed.around((a + b + c) / 3.0 + inwards))
-        if (mesh != s && times != 0) ++others;
+      bool has_wall = false;
+      for (const auto& [mesh, times] : closed.around((a + b + c) / 3.0 + inwards)) {
+        if (mesh == s || times == 0) continue;
+        const Size size = size_beside(measured[mesh], shell);
+        if (size == Size::larger) ++others;
+        if (size == Size::equal && comes_first(mesh, s, measured)) has_wall = true;
+      }
+      // Of equal shells within a solid the first is the wall of a hollow, and the others fill it.
+      if (has_wall && others % 2 == 1) ++others;
       ++count[static_cast<std::size_t>(others % 2)];
     }
     return count;
+  }
+
+  /// What lies around a shell encloses more than it.
+  enum class Size { smaller, equal, larger };
+  static Size size_beside(const Shell& shell, const Shell& other) {
+    const double size = std::fabs(shell.volume), own = std::fabs(other.volume);
+    if (std::fabs(size - own) <= 1e-9 * own) return Size::equal;
+    return size < own ? Size::smaller : Size::larger;
+  }
+
+  /// Walls that face inwards in the file come before others.
+  static bool comes_first(std::size_t a, std::size_t b, const std::vector<Shell>& measured) {
+    return std::pair(measured[a].volume > 0, a) < std::pair(measured[b].volume > 0, b);
   }
 
   /// A sheet may face either way. A shell that fills much of its box and faces inwards may be an inside-out skin with a
@@ -195,6 +193,7 @@ class Orienter {
   }
 
   const std::vector<std::uint8_t>& may_turn_;
+  std::vector<glm::uvec3> turnable_;  ///< welded, facing air; those that may not turn collapsed
   Oriented result_;
 };
 

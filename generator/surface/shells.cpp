@@ -2,26 +2,16 @@
 
 #include <algorithm>
 #include <span>
-#include <tuple>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
-#include "generator/base/reproducible.h"
 #include "generator/mesh/disjoint_sets.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/weld.h"
+#include "generator/surface/edge_leaves.h"
 
 namespace pomona {
 
 namespace {
-
-/// A triangle at an edge of more than two: its angle around the edge, seen against the edge's direction.
-struct EdgeLeaf {
-  double angle = 0;
-  bool forward = false;  ///< solid lies below its angle; else above
-  std::uint32_t triangle = 0;
-};
 
 class ShellFinder {
  public:
@@ -64,29 +54,8 @@ class ShellFinder {
     if (edge.size() <= 2 || edge.size() > crowd) {
       for (const HalfEdge& h : edge) sets_.join(edge.front().triangle, h.triangle);
     } else {
-      join_wedges(leaves_around(edge));
+      join_wedges(leaves_around(edge, shells_.air_facing, surfaces_.position));
     }
-  }
-
-  std::vector<EdgeLeaf> leaves_around(std::span<const HalfEdge> edge) const {
-    const glm::dvec3 low(surfaces_.position[edge.front().low]);
-    const glm::dvec3 along = glm::normalize(glm::dvec3(surfaces_.position[edge.front().high]) - low);
-    glm::dvec3 zero_angle(0);
-    std::vector<EdgeLeaf> leaves;
-    for (const HalfEdge& h : edge) {
-      const glm::uvec3& t = shells_.air_facing[h.triangle];
-      const std::uint32_t tip = t.x + t.y + t.z - h.low - h.high;
-      const glm::dvec3 to_tip = glm::dvec3(surfaces_.position[tip]) - low;
-      const glm::dvec3 across = to_tip - glm::dot(to_tip, along) * along;
-      if (leaves.empty()) zero_angle = across;
-      const double y = glm::dot(glm::cross(zero_angle, across), along);
-      leaves.push_back({reproducible::atan2(y, glm::dot(zero_angle, across)), h.forward, h.triangle});
-    }
-    // Solids that touch face to face end (forward) before the next one starts.
-    std::sort(leaves.begin(), leaves.end(), [](const EdgeLeaf& l, const EdgeLeaf& r) {
-      return std::tuple(l.angle, !l.forward, l.triangle) < std::tuple(r.angle, !r.forward, r.triangle);
-    });
-    return leaves;
   }
 
   /// Joins each triangle where solid starts with the one where it ends, like brackets, those of one surface first.

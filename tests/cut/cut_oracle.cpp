@@ -122,10 +122,25 @@ class Witness final : public CutObserver {
   const Bodies& bodies_;
 };
 
+/// The skin of the fruit, or its bounding box where that is open.
+ClosedSurface own_skin(const DiffusionSurfaces& surfaces) {
+  const SkinDepth skin(surfaces);
+  if (!skin.is_closed()) return shapes::block(bounds_of(surfaces).low, bounds_of(surfaces).high);
+  ClosedSurface own;
+  for (const TriangleTree::Corners& t : skin.skin().triangles()) {
+    const auto first = static_cast<std::uint32_t>(own.point.size());
+    own.point.insert(own.point.end(), t.begin(), t.end());
+    own.triangle.emplace_back(first, first + 1, first + 2);
+  }
+  return own;
+}
+
 }  // namespace
 
+// Where bodies are united, rounding folds some triangles over others. Such a skin is no knife: the skin as it was drawn
+// is.
 CutOracle::CutOracle(const DiffusionSurfaces& surfaces)
-    : surfaces_(without_overlaps(surfaces)), bodies_(find_bodies(surfaces_)) {
+    : surfaces_(without_overlaps(surfaces)), own_skin_(own_skin(surfaces)), bodies_(find_bodies(surfaces_)) {
   size_ = glm::length(bounds_of(surfaces).size());
   for (const Bodies::Body& body : bodies_.bodies) {
     whole_ += body.volume;
@@ -328,20 +343,8 @@ Knife CutOracle::random_solid(const RandomStream& random, std::uint64_t number) 
     case 7:
       return solid_knife(shapes::rod(glm::dvec3(vertex.x - 0.5 * size, vertex.y, vertex.z), 0.5 * size, size, 8));
     default:
-      return solid_knife(own_skin());
+      return solid_knife(own_skin_);
   }
-}
-
-ClosedSurface CutOracle::own_skin() const {
-  const SkinDepth skin(surfaces_);
-  if (!skin.is_closed()) return shapes::block(bounds_of(surfaces_).low, bounds_of(surfaces_).high);
-  ClosedSurface own;
-  for (const TriangleTree::Corners& t : skin.skin().triangles()) {
-    const auto first = static_cast<std::uint32_t>(own.point.size());
-    own.point.insert(own.point.end(), t.begin(), t.end());
-    own.triangle.emplace_back(first, first + 1, first + 2);
-  }
-  return own;
 }
 
 }  // namespace pomona::oracle

@@ -53,10 +53,10 @@ class CutOracle {
   double area_in(const CuttingPlane& plane) const;
   double volume_below(const CuttingPlane& plane) const;
   static double volume_below(std::span<const CutPiece> pieces, const CuttingPlane& plane);
-  ClosedSurface own_skin() const;
   glm::dvec3 corner(const RandomStream& random, std::uint64_t draw) const;
 
   DiffusionSurfaces surfaces_;  // without overlaps
+  ClosedSurface own_skin_;
   Bodies bodies_;
   double size_ = 0, whole_ = 0;
   bool closed_ = true;

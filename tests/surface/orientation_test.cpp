@@ -2,6 +2,8 @@
 #include "generator/surface/orientation.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,9 +11,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
 #include "generator/surface/bodies.h"
+#include "generator/surface/file/obj_file.h"
+#include "generator/surface/file/outer_skin.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/template.h"
 #include "tests/shapes/shapes.h"
@@ -131,6 +136,144 @@ TEST(Orientation, NeighboursThatTouchAreBothSolid) {
     double volume = 0;
     for (const Bodies::Body& body : bodies.bodies) volume += body.volume;
     EXPECT_NEAR(volume, 27 * 8, 1e-9);
+  }
+}
+
+/// How the cubes of a file come by their vertices.
+enum class Vertices { of_each_cube, of_each_face, of_all };
+
+/// Faces of cubes as triangles; with `other_diagonal` diagonals of every other cube lie the other way.
+std::string voxels_obj(const std::vector<Cube>& cubes, Vertices vertices, bool other_diagonal = false) {
+  std::vector<glm::dvec3> all;
+  std::string text, faces;
+  std::size_t cube_start = 0;
+  for (std::size_t c = 0; c < cubes.size(); ++c) {
+    cube_start = vertices == Vertices::of_all ? 0 : all.size();
+    const int corners[6][4] = {{2, 6, 7, 3}, {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}, {1, 3, 7, 5}, {0, 4, 6, 2}};
+    for (const auto& face : corners) {
+      const std::size_t from = vertices == Vertices::of_each_face ? all.size() : cube_start;
+      std::array<std::size_t, 4> v{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const int i = face[cubes[c].inwards ? 3 - k : k];
+        const glm::dvec3 p = cubes[c].at + cubes[c].half * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+        const auto found = std::find(all.begin() + static_cast<std::ptrdiff_t>(from), all.end(), p);
+        v[k] = static_cast<std::size_t>(found - all.begin()) + 1;
+        if (found == all.end()) all.push_back(p);
+      }
+      if (other_diagonal && c % 2 == 1) std::rotate(v.begin(), v.begin() + 1, v.end());
+      for (const std::array<std::size_t, 3>& t : {std::array{v[0], v[1], v[2]}, std::array{v[0], v[2], v[3]}})
+        faces += "f " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
+    }
+  }
+  for (const glm::dvec3& p : all)
+    text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+  return text + faces;
+}
+
+/// Every cube is a closed body of its own, its own triangles face away from its middle, and a cut leaves closed pieces.
+void expect_solids(const DiffusionSurfaces& surfaces, const std::vector<Cube>& cubes) {
+  const Bodies bodies = find_bodies(surfaces);
+  EXPECT_EQ(bodies.bodies.size(), cubes.size());
+  double volume = 0;
+  for (const Bodies::Body& body : bodies.bodies) {
+    EXPECT_TRUE(body.closed);
+    volume += body.volume;
+  }
+  EXPECT_NEAR(volume, 8.0 * static_cast<double>(cubes.size()), 1e-9);
+  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
+    std::array<glm::dvec3, 3> p{};
+    for (int k = 0; k < 3; ++k) p[static_cast<std::size_t>(k)] = glm::dvec3(surfaces.position[surfaces.triangle[t][k]]);
+    const bool is_front = surfaces.is_hidden(t, SideOf::front);
+    const double out = glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), p[0] - cubes[t / 12].at);
+    EXPECT_EQ(out > 0, is_front) << "triangle " << t;
+  }
+}
+
+/// Sides of 2; those numbered in `inwards` face inwards.
+std::vector<Cube> row_of_cubes(int count, int inwards) {
+  std::vector<Cube> cubes;
+  for (int c = 0; c < count; ++c) cubes.push_back({.at = {2.0 * c, 0, 0}, .inwards = (inwards >> c & 1) != 0});
+  return cubes;
+}
+
+TEST(Orientation, SolidsThatShareFacesAreSolidWhicheverWayEachFaces) {
+  for (const Vertices vertices : {Vertices::of_each_cube, Vertices::of_each_face, Vertices::of_all}) {
+    for (int inwards = 0; inwards < 8; ++inwards) {
+      SCOPED_TRACE(std::to_string(static_cast<int>(vertices)) + ", " + std::to_string(inwards));
+      const std::vector<Cube> cubes = row_of_cubes(3, inwards);
+      expect_solids(sweep(fruit_of({voxels_obj(cubes, vertices)})), cubes);
+    }
+  }
+}
+
+TEST(Orientation, ABlockOfVoxelsIsSolidWhicheverWayEachFaces) {
+  for (const Vertices vertices : {Vertices::of_each_cube, Vertices::of_each_face}) {
+    for (const int every : {2, 3, 5}) {
+      std::vector<Cube> voxels;
+      for (int v = 0; v < 27; ++v)
+        voxels.push_back({.at = 2.0 * glm::dvec3(v % 3, v / 3 % 3, v / 9), .inwards = (v * v) % every == 1});
+      SCOPED_TRACE(std::to_string(static_cast<int>(vertices)) + ", " + std::to_string(every));
+      const Bodies bodies = find_bodies(sweep(fruit_of({voxels_obj(voxels, vertices)})));
+      double volume = 0;
+      for (const Bodies::Body& body : bodies.bodies) {
+        EXPECT_TRUE(body.closed);
+        volume += body.volume;
+      }
+      EXPECT_NEAR(volume, 27 * 8, 1e-9);
+    }
+  }
+}
+
+TEST(Orientation, SharedFacesMayBeTriangulatedInTwoWays) {
+  for (const Vertices vertices : {Vertices::of_each_cube, Vertices::of_each_face}) {
+    for (int inwards = 0; inwards < 4; ++inwards) {
+      const std::vector<Cube> cubes = row_of_cubes(2, inwards);
+      expect_solids(sweep(fruit_of({voxels_obj(cubes, vertices, true)})), cubes);
+    }
+  }
+}
+
+TEST(Orientation, SolidsThatShareFacesMayBeMeshesOfTheirOwn) {
+  for (int inwards = 0; inwards < 4; ++inwards) {
+    const std::vector<Cube> cubes = row_of_cubes(2, inwards);
+    expect_solids(sweep(fruit_of({voxels_obj({cubes[0]}, Vertices::of_each_face),
+                                  voxels_obj({cubes[1]}, Vertices::of_each_face)})),
+                  cubes);
+  }
+}
+
+TEST(Orientation, AMeshWithoutAWordOnItsSidesMayHoldSolidsThatShareFaces) {
+  for (const Vertices vertices : {Vertices::of_each_cube, Vertices::of_each_face, Vertices::of_all}) {
+    for (int inwards = 0; inwards < 8; ++inwards) {
+      SCOPED_TRACE(std::to_string(static_cast<int>(vertices)) + ", " + std::to_string(inwards));
+      const std::vector<Cube> cubes = row_of_cubes(3, inwards);
+      const PlainMesh mesh = parse_obj(voxels_obj(cubes, vertices), "voxels.obj", "");
+      DiffusionSurfaces plain;
+      plain.surface_names = {"voxels"};
+      plain.part_names = {"flesh"};
+      for (const glm::dvec3& p : mesh.position) plain.position.emplace_back(p);
+      plain.front_color.assign(plain.position.size(), Color(0.5f));
+      plain.back_color = plain.front_color;
+      plain.blur.assign(plain.position.size(), 0);
+      plain.front_hidden.assign(plain.position.size(), 0);
+      plain.back_hidden = plain.front_hidden;
+      plain.triangle = mesh.triangle;
+      plain.surface.assign(plain.triangle.size(), 0);
+      plain.front_part = plain.back_part = plain.surface;
+      expect_solids(with_outer_skin(plain), cubes);
+    }
+  }
+}
+
+TEST(Orientation, WhatFillsAHollowWhollyIsCountedOnce) {
+  for (int way = 0; way < 8; ++way) {
+    SCOPED_TRACE(way);
+    const Bodies bodies = bodies_of({{.half = 2, .inwards = (way & 1) != 0},
+                                     {.half = 1, .inwards = (way & 2) != 0},
+                                     {.half = 1, .inwards = (way & 4) != 0}});
+    double volume = 0;
+    for (const Bodies::Body& body : bodies.bodies) volume += body.volume;
+    EXPECT_NEAR(volume, 64, 1e-9);
   }
 }
 

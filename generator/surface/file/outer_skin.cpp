@@ -1,12 +1,15 @@
 #include "generator/surface/file/outer_skin.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "generator/mesh/weld.h"
 #include "generator/surface/shell_geometry.h"
+#include "generator/surface/touching_solids.h"
 
 namespace pomona {
 
@@ -27,6 +30,34 @@ std::vector<std::uint8_t> outermost(const DiffusionSurfaces& surfaces, const std
   return is_skin;
 }
 
+/// What a triangle does: it lies inside, or its front or back faces air.
+enum class Use : std::uint8_t { inner, front, back };
+
+/// Vertices that triangles of several uses share are duplicated: the first use keeps the vertex.
+DiffusionSurfaces with_hidden_sides(DiffusionSurfaces surfaces, const std::vector<Use>& uses) {
+  std::vector<Use> first(surfaces.vertex_count(), Use::back);
+  for (std::size_t i = 0; i < uses.size(); ++i)
+    for (int k = 0; k < 3; ++k) first[surfaces.triangle[i][k]] = std::min(first[surfaces.triangle[i][k]], uses[i]);
+  std::array<std::vector<std::uint32_t>, 3> own;  // per use
+  for (std::vector<std::uint32_t>& of_use : own) {
+    of_use.resize(first.size());
+    std::iota(of_use.begin(), of_use.end(), 0u);
+  }
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    for (int k = 0; k < 3 && uses[i] != Use::inner; ++k) {
+      const std::uint32_t vertex = surfaces.triangle[i][k];
+      std::uint32_t& mine = own[static_cast<std::size_t>(uses[i])][vertex];
+      if (first[vertex] != uses[i] && mine == vertex) {
+        mine = doubled_vertex(surfaces, vertex);
+        surfaces.front_hidden[mine] = surfaces.back_hidden[mine] = 0;
+      }
+      surfaces.triangle[i][k] = mine;
+      (uses[i] == Use::front ? surfaces.front_hidden : surfaces.back_hidden)[mine] = 1;
+    }
+  }
+  return surfaces;
+}
+
 }  // namespace
 
 DiffusionSurfaces with_outer_skin(DiffusionSurfaces surfaces) {
@@ -35,32 +66,22 @@ DiffusionSurfaces with_outer_skin(DiffusionSurfaces surfaces) {
   // Treat every triangle as boundary with its front to air, and find the outermost shells.
   DiffusionSurfaces all_boundary = surfaces;
   all_boundary.front_hidden.assign(surfaces.vertex_count(), 1);
+  const std::vector<std::uint8_t> turned =
+      turns_where_solids_touch(all_boundary, welded_triangles(weld(surfaces.position), surfaces.triangle));
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    if (turned[i] != 0) std::swap(all_boundary.triangle[i].y, all_boundary.triangle[i].z);
   const Shells shells = find_shells(all_boundary);
   const std::vector<Shell> measured = measured_shells(all_boundary, shells);
   const std::vector<std::uint8_t> is_skin = outermost(all_boundary, measured);
-  const auto skin_of = [&](std::size_t triangle) -> const Shell* {
-    const std::int32_t s = shells.of_triangle[triangle];
-    if (s == Shells::none || is_skin[static_cast<std::size_t>(s)] == 0) return nullptr;
-    return &measured[static_cast<std::size_t>(s)];
-  };
-
-  // Duplicate vertices that skins share with others, then hide the skins' outer sides.
-  std::vector<std::uint8_t> inner(surfaces.vertex_count(), 0);
+  std::vector<Use> uses;
   for (std::size_t i = 0; i < surfaces.triangle_count(); ++i) {
-    for (int k = 0; k < 3 && !skin_of(i); ++k) inner[surfaces.triangle[i][k]] = 1;
+    const std::int32_t s = shells.of_triangle[i];
+    if (s == Shells::none || is_skin[static_cast<std::size_t>(s)] == 0)
+      uses.push_back(Use::inner);
+    else
+      uses.push_back((measured[static_cast<std::size_t>(s)].volume > 0) != (turned[i] != 0) ? Use::front : Use::back);
   }
-  std::vector<std::uint32_t> own(surfaces.vertex_count());
-  std::iota(own.begin(), own.end(), 0u);
-  for (std::size_t i = 0; i < surfaces.triangle_count(); ++i) {
-    const Shell* skin = skin_of(i);
-    for (int k = 0; k < 3 && skin; ++k) {
-      std::uint32_t& vertex = surfaces.triangle[i][k];
-      if (inner[vertex] != 0 && own[vertex] == vertex) own[vertex] = doubled_vertex(surfaces, vertex);
-      vertex = own[vertex];
-      (skin->volume > 0 ? surfaces.front_hidden : surfaces.back_hidden)[vertex] = 1;
-    }
-  }
-  return surfaces;
+  return with_hidden_sides(std::move(surfaces), uses);
 }
 
 std::optional<std::size_t> shell_inside_out(const DiffusionSurfaces& surfaces) {

@@ -16,13 +16,13 @@ namespace pomona {
 namespace {
 
 // The ground is a disc whose middle is the pole and whose edge, at 1, is where leaves leave the axis.
-constexpr int cells = 193;        // of the ground to either side
-constexpr double span = 1.12;     // half the width of the ground's grid
-constexpr int smoothing = 2;      // radius of the envelope's boxes, cells
-constexpr int table_steps = 400;  // of ramps and curves
-constexpr double table_end = 2;   // the last place of a ramp
+constexpr int cells = 193;            // of the ground to either side
+constexpr double ground_span = 1.12;  // half the width of the ground's grid
+constexpr int smoothing = 2;          // radius of the envelope's boxes, cells
+constexpr int table_steps = 400;      // of ramps and curves
+constexpr double table_end = 2;       // the last place of a ramp
 
-double cell_place(int i) { return span * (2.0 * i / (cells - 1) - 1); }
+double cell_place(int i) { return ground_span * (2.0 * i / (cells - 1) - 1); }
 
 /// A ramp at even places, quick to look up.
 class RampTable {
@@ -48,8 +48,8 @@ class Ground {
   double at(int i, int j) const { return height_[static_cast<std::size_t>(i * cells + j)]; }
 
   double operator()(const glm::dvec2& p) const {
-    const double x = std::clamp((p.x + span) / (2 * span), 0.0, 1.0) * (cells - 1);
-    const double y = std::clamp((p.y + span) / (2 * span), 0.0, 1.0) * (cells - 1);
+    const double x = std::clamp((p.x + ground_span) / (2 * ground_span), 0.0, 1.0) * (cells - 1);
+    const double y = std::clamp((p.y + ground_span) / (2 * ground_span), 0.0, 1.0) * (cells - 1);
     const int i = std::min(static_cast<int>(x), cells - 2), j = std::min(static_cast<int>(y), cells - 2);
     const double a = x - i, b = y - j;
     return (1 - a) * ((1 - b) * at(i, j) + b * at(i, j + 1)) + a * ((1 - b) * at(i + 1, j) + b * at(i + 1, j + 1));
@@ -186,7 +186,7 @@ class LeafPile {
     for (const auto& stop : sketch.reach.stops) far = std::max(far, stop.value);
     const double edge = std::max(2 * wide / (around_ - 1), far / (along_ - 1));
     sag_ = sag_of(wide, far);
-    facet_ = std::min(8, static_cast<int>(std::ceil(0.5 * edge * (cells - 1) / (2 * span))));
+    facet_ = std::min(8, static_cast<int>(std::ceil(0.5 * edge * (cells - 1) / (2 * ground_span))));
     const RandomStream random(options.key, "sheet/" + sketch.name);
     for (int k = 0; k < sketch.count; ++k) leaves_.push_back(leaf_chance(sketch, random, k));
     for (int i = 0; i < cells; ++i)
