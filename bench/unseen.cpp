@@ -39,6 +39,7 @@ constexpr double short_side =
     0.5;  ///< min area of a part on a side, relative to the drawing's side that has less of it
 constexpr double least_part = 0.003;  ///< parts with a smaller share of the drawn section are not regarded
 constexpr double stated_drift = 5;    ///< max change of a tissue's colour differences, in 255ths
+constexpr double few_specks = 5;      ///< so many more than twice the drawing's are too many
 
 struct SeedRange {
   int first = 1, last = 200;
@@ -53,7 +54,7 @@ SeedRange range_of(const std::string& text) {
 Json json_of(const FaceFacts& face) {
   Json sides = Json::object();
   for (const auto& [part, shares] : face.sides) sides[part] = {shares.first, shares.second};
-  return {{"area", face.area}, {"crumbs", face.crumbs}, {"sides", sides}};
+  return {{"area", face.area}, {"specks", face.specks}, {"sides", sides}};
 }
 
 /// The measurements of one fruit as they are kept in the file. Faults are computed from them in every run.
@@ -99,20 +100,23 @@ Lack worst_lack(const Json& row, const Json& drawn, const std::vector<std::strin
   return worst;
 }
 
+/// Of the half and of the section across.
+double specks_of(const Json& row) {
+  return row["half"]["specks"].get<double>() + row["across"]["specks"].get<double>();
+}
+
 /// The faults of a fruit, each 0 if it is sound.
 std::map<std::string, double> faults_of(const Json& row, const Json& drawn, const std::vector<std::string>& parts) {
   const Lack lack = worst_lack(row, drawn, parts);
   // Chambers may be empty where the drawing has empty ones.
   const double empty = drawn["empty_chambers"] == 0 ? row["empty_chambers"].get<double>() : 0;
-  const auto more = [&](const char* face) {
-    return std::max(0.0, row[face]["crumbs"].get<double>() - drawn[face]["crumbs"].get<double>());
-  };
+  const double specks = specks_of(row), most_specks = 2 * specks_of(drawn) + few_specks;
   const double drift = row["drift"];
   return {{"short", lack.share < short_side ? 1 - lack.share : 0},
           {"crossings", row["crossings"].get<double>()},
           {"empty", empty},
           {"drift", drift > stated_drift ? drift : 0},
-          {"crumbs", more("half") + more("across")}};
+          {"specks", specks > most_specks ? specks : 0}};
 }
 
 struct Fruit {
@@ -160,6 +164,12 @@ double mean(const Fruit& fruit, const char* key) {
   return sum / static_cast<double>(std::max<std::size_t>(1, fruit.rows.size() - 1));
 }
 
+double mean_specks(const Fruit& fruit) {
+  double sum = 0;
+  for (std::size_t i = 1; i < fruit.rows.size(); ++i) sum += specks_of(fruit.rows[i]);
+  return sum / static_cast<double>(std::max<std::size_t>(1, fruit.rows.size() - 1));
+}
+
 /// The part that halves lack most often.
 std::string most_lacking(const Fruit& fruit) {
   std::map<std::string, int> count;
@@ -181,14 +191,16 @@ double worst_of(const Fruit& fruit, const char* key) {
 }
 
 TextTable table_of(const std::vector<Fruit>& fruits) {
-  TextTable table{{"", "seeds", "short of a part", "most often", "with grains crossed", "crossed of", "a fruit",
-                   "with an empty chamber", "tissues apart", "most, of 255", "with crumbs"},
-                  {}};
+  TextTable table{
+      {"", "seeds", "short of a part", "most often", "with grains crossed", "crossed of", "a fruit",
+       "with an empty chamber", "tissues apart", "most, of 255", "with specks", "specks, drawn", "on average"},
+      {}};
   for (const Fruit& fruit : fruits) {
     table.rows.push_back({fruit.name, std::to_string(fruit.rows.size() - 1), worst_seeds(fruit, "short"),
                           most_lacking(fruit), worst_seeds(fruit, "crossings"), number(mean(fruit, "crossings"), 1),
                           number(mean(fruit, "grains"), 0), worst_seeds(fruit, "empty"), worst_seeds(fruit, "drift"),
-                          number(worst_of(fruit, "drift"), 1), worst_seeds(fruit, "crumbs")});
+                          number(worst_of(fruit, "drift"), 1), worst_seeds(fruit, "specks"),
+                          number(specks_of(fruit.rows.front()), 0), number(mean_specks(fruit), 0)});
   }
   return table;
 }
@@ -209,7 +221,7 @@ int fallen_out(const std::vector<Fruit>& fruits) {
 Json worst_fruits(const std::vector<Fruit>& fruits) {
   constexpr std::size_t of_all = 10, of_one = 2;
   Json list = Json::array();
-  for (const char* fault : {"short", "crossings", "empty", "drift", "crumbs"}) {
+  for (const char* fault : {"short", "crossings", "empty", "drift", "specks"}) {
     std::vector<std::tuple<double, std::string, int>> worst;
     for (const Fruit& fruit : fruits) {
       std::vector<std::tuple<double, std::string, int>> own;

@@ -12,6 +12,7 @@
 #include "generator/knife/parse_knife.h"
 #include "generator/mesh/disjoint_sets.h"
 #include "generator/mesh/enclosures.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona::bench {
 
@@ -23,34 +24,34 @@ constexpr double crossed = 0.04;
 /// Metres: a membrane has less blur than this; a surface with more is a change of colour only.
 constexpr float sharp = 3e-4f;
 
-/// Vertices at equal places count as one: cuts split them.
-std::vector<std::uint32_t> places_of(const std::vector<glm::vec3>& position) {
-  std::map<std::array<std::int64_t, 3>, std::uint32_t> known;
-  std::vector<std::uint32_t> place;
-  for (const glm::vec3& p : position) {
-    const std::array<std::int64_t, 3> key{std::llround(p.x * 1e7), std::llround(p.y * 1e7), std::llround(p.z * 1e7)};
-    place.push_back(known.emplace(key, static_cast<std::uint32_t>(known.size())).first->second);
-  }
-  return place;
-}
-
 double area_of(const CrossSection& section, const glm::uvec3& t) {
   const glm::dvec3 a(section.position[t.x]), b(section.position[t.y]), c(section.position[t.z]);
   return 0.5 * glm::length(glm::cross(b - a, c - a));
 }
 
-/// Number of components that are smaller than a crumb of this area. Triangles are connected at common places.
-int crumbs_of(const CrossSection& section, double area) {
-  const std::vector<std::uint32_t> place = places_of(section.position);
-  DisjointSets joined(section.position.size());
-  for (const glm::uvec3& t : section.triangle) {
-    joined.join(place[t.x], place[t.y]);
-    joined.join(place[t.y], place[t.z]);
+/// Loose bits, and patches of one part, below these shares of a section are specks.
+constexpr double small_bit = 10 * section_crumb, small_patch = section_crumb;
+
+/// Number of the section's components below this area. Triangles are connected at common places, of one part only if
+/// `by_part`.
+int small_components(const CrossSection& section, bool by_part, double below) {
+  const std::vector<std::uint32_t> place = weld(section.position);
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> known;
+  DisjointSets joined(3 * section.triangle.size());
+  std::vector<std::uint32_t> first(section.triangle.size());
+  for (std::size_t t = 0; t < section.triangle.size(); ++t) {
+    const int part = by_part ? section.part[section.triangle[t].x] : 0;
+    for (int k = 0; k < 3; ++k) {
+      const auto next = static_cast<std::uint32_t>(known.size());
+      const std::uint32_t corner = known.try_emplace({place[section.triangle[t][k]], part}, next).first->second;
+      if (k == 0) first[t] = corner;
+      joined.join(first[t], corner);
+    }
   }
-  std::map<std::uint32_t, double> sizes;
-  for (const glm::uvec3& t : section.triangle) sizes[joined.root(place[t.x])] += area_of(section, t);
-  return static_cast<int>(std::count_if(
-      sizes.begin(), sizes.end(), [&](const auto& component) { return component.second < section_crumb * area; }));
+  std::map<std::uint32_t, double> areas;
+  for (std::size_t t = 0; t < first.size(); ++t) areas[joined.root(first[t])] += area_of(section, section.triangle[t]);
+  return static_cast<int>(
+      std::count_if(areas.begin(), areas.end(), [&](const auto& component) { return component.second < below; }));
 }
 
 FaceFacts face_facts(const GrownFruit& grown, const char* knife, const Diffuser& diffuser) {
@@ -69,7 +70,8 @@ FaceFacts face_facts(const GrownFruit& grown, const char* knife, const Diffuser&
       (right ? on_right : on_left) += third;
     }
   }
-  facts.crumbs = crumbs_of(section, facts.area);
+  facts.specks = small_components(section, false, small_bit * facts.area) +
+                 small_components(section, true, small_patch * facts.area);
   return facts;
 }
 

@@ -18,7 +18,7 @@ struct FaceFacts {
   /// Per part: shares of the section on the left and on the right of the axis.
   std::map<std::string, std::pair<double, double>> sides;
   double area = 0;  ///< square metres
-  int crumbs = 0;   ///< components of the section below a two-thousandth of it
+  int specks = 0;   ///< loose bits below a two-hundredth of it, and patches of one part below a two-thousandth
 };
 
 /// Two parts that are one tissue, and how much the difference of their colours differs from the drawn one, in 255ths of

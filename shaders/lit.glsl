@@ -63,7 +63,10 @@ vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
   // there, and minus a tenth that is absorbed.
   float beyond = max(wrapped(-dot(n, to_light)) - wrapped(dot(n, to_light)), 0.0);
   vec3 within = 0.9 * let_in(depth) * seen.arrives * beyond * open_sky;
-  vec3 direct = lit * (1.0 - let_in(depth) * seen.leaves) + within;
+  // Where a piece lies on its skin, what leaves through it comes back from the table: a cap's face is as bright as a
+  // half's, and no bowl.
+  vec3 lost = let_in(depth) * seen.leaves * (cut ? 0.3 : 1.0);
+  vec3 direct = lit * (1.0 - lost) + within;
   vec3 received = sky_at(n.y, seen.sky) + light_strengths.x * sun * direct;
 
   // In the shade colours become deeper, not greyer.

@@ -1,5 +1,8 @@
 // Gloss, bloom, fuzz and translucency in pictures.
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -118,6 +121,23 @@ TEST(Materials, ThinSlicesGlowAgainstTheLight) {
       EXPECT_GT(static_cast<double>(through.r) / opaque.r, static_cast<double>(through.b) / opaque.b) << thickness;
     }
     before = through;
+  }
+}
+
+/// A cap lies on its skin, and what leaves through it comes back: it is no grey bowl.
+TEST(Materials, ThinCutFacesAreAsBrightAsThickOnes) {
+  MaterialSketch white;
+  white.translucency = {.depth = 0.002};
+  const auto face = [&](float thickness) {
+    Scene scene = slab(thickness, white);
+    std::vector<std::int32_t>& cut_face = scene.solids[0].mesh.cut_face;
+    std::fill(cut_face.begin(), cut_face.end(), 0);
+    return draw_scene(scene, lit_from(0), small).at(48, 36);
+  };
+  const glm::u8vec3 thick = face(0.02f);
+  for (const float thickness : {0.002f, 0.004f}) {
+    const glm::u8vec3 thin = face(thickness);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(thin[k], thick[k], 0.05 * thick[k]) << thickness;
   }
 }
 
