@@ -78,13 +78,16 @@ double area_of(const Face& face, const Regions& regions) {
   return area;
 }
 
-int open_ends(const std::vector<CutSegment>& segments, const Bodies& bodies) {
+/// Segments are directed by the fronts of their surfaces; around a body, surfaces whose back faces air run on against
+/// that.
+int open_ends(const std::vector<CutSegment>& segments, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
   std::map<std::pair<std::int32_t, std::uint32_t>, int> balance;
   for (const CutSegment& s : segments) {
     const std::int32_t body = bodies.of_triangle[s.source];
     if (body == Bodies::none || !bodies.bodies[static_cast<std::size_t>(body)].closed) continue;
-    ++balance[{body, s.from}];
-    --balance[{body, s.to}];
+    const int way = surfaces.is_hidden(s.source, SideOf::back) ? -1 : 1;
+    balance[{body, s.from}] += way;
+    balance[{body, s.to}] -= way;
   }
   return static_cast<int>(std::count_if(balance.begin(), balance.end(), [](const auto& b) { return b.second != 0; }));
 }
@@ -92,7 +95,7 @@ int open_ends(const std::vector<CutSegment>& segments, const Bodies& bodies) {
 /// Keeps what is checked of a cut's stages.
 class Witness final : public CutObserver {
  public:
-  explicit Witness(const Bodies& bodies) : bodies_(bodies) {}
+  Witness(const DiffusionSurfaces& surfaces, const Bodies& bodies) : surfaces_(surfaces), bodies_(bodies) {}
 
   int open_chains = 0;
   CutPlanes planes;
@@ -107,7 +110,7 @@ class Witness final : public CutObserver {
         const std::vector<CutSegment>& in_plane = segments[static_cast<std::size_t>(k)];
         chains.insert(chains.end(), in_plane.begin(), in_plane.end());
       }
-      open_chains += open_ends(chains, bodies_);
+      open_chains += open_ends(chains, surfaces_, bodies_);
     }
   }
 
@@ -119,6 +122,7 @@ class Witness final : public CutObserver {
   }
 
  private:
+  const DiffusionSurfaces& surfaces_;
   const Bodies& bodies_;
 };
 
@@ -203,7 +207,7 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
   options.coarsest = 0.2;
   options.finest = 0.05;
   options.threads = {1};
-  Witness witness(bodies_);
+  Witness witness(surfaces_, bodies_);
   const Cut result = cut(surfaces_, knives, options, &witness);
   CutFacts facts = facts_of_pieces(result.pieces);
   facts.open_chains = witness.open_chains;

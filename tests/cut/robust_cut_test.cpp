@@ -55,6 +55,18 @@ TEST(RobustCut, OfRandomPlanesOneAndTwo) {
   }
 }
 
+/// A seed that sinks into the wall of its hollow bounds one body with it: its front faces air, and of the wall the
+/// back.
+TEST(RobustCut, OfASeedInTheWallOfItsHollow) {
+  const RandomStream random({12, 0}, "test/robust");
+  const DiffusionSurfaces seed = shapes::moved(shapes::sphere(0.008, 3, shapes::skin_paint()), {0.028, 0.002, 0.001});
+  const CutOracle oracle(joined(shapes::hollow_ball(0.05, 0.03, 4), seed));
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    expect_right(oracle.facts(std::vector<Knife>{oracle.random_plane(random, i)}));
+  }
+}
+
 TEST(RobustCut, OfStrokesAnywhereAndOverVertices) {
   const RandomStream random({10, 0}, "test/robust");
   for (const DiffusionSurfaces& fruit : shapes::fruits_to_cut()) {
