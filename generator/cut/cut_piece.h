@@ -22,6 +22,10 @@ struct CutPiece {
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> surface;  ///< per triangle
 
+  /// The instances of placed templates whose skin it has (DiffusionSurfaces::instance), ascending; empty where nothing
+  /// is placed.
+  std::vector<std::int32_t> instances;
+
   struct CapTriangle {
     std::uint32_t triangle = 0;  ///< of the section
     bool reversed = false;       ///< the piece lies on the positive side, so that its triangle faces against the normal

@@ -52,6 +52,13 @@ double volume_under(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) 
   return glm::dot(glm::dvec3(a), glm::cross(glm::dvec3(b), glm::dvec3(c)));
 }
 
+/// Sorted.
+std::vector<std::int32_t> each_once(std::vector<std::int32_t> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 class PieceBuilder {
  public:
   PieceBuilder(const SparedFruit& cut, const DiffusionSurfaces& surfaces, const CutOptions& options)
@@ -182,7 +189,10 @@ class PieceBuilder {
       if (p[triangle.x] == p[triangle.y] || p[triangle.y] == p[triangle.z] || p[triangle.z] == p[triangle.x]) continue;
       piece.triangle.push_back(triangle);
       piece.surface.push_back(surfaces_.surface[skin.source]);
+      // A wall is skin of the part that was spared, not of the piece around it.
+      if (!surfaces_.instance.empty() && t < first_wall_) piece.instances.push_back(surfaces_.instance[skin.source]);
     }
+    for (CutPiece& piece : pieces) piece.instances = each_once(std::move(piece.instances));
   }
 
   /// Adds the cut faces. A face inside several bodies closes each of them.
@@ -224,7 +234,10 @@ class PieceBuilder {
     for (const Component& component : component_) cell.push_back(component.cell);
     join(parts, piece_groups(parts, cell, section_.mesh));
     join(parts, homes_of_bits(parts, cell, section_.mesh));
-    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].closed = edges_[i].closed();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      parts[i].closed = edges_[i].closed();
+      parts[i].instances = each_once(std::move(parts[i].instances));
+    }
     return parts;
   }
 
@@ -248,6 +261,7 @@ class PieceBuilder {
     for (const glm::uvec3& t : part.triangle) piece.triangle.push_back(t + glm::uvec3(first));
     append(piece.surface, part.surface);
     append(piece.caps, part.caps);
+    append(piece.instances, part.instances);
     piece.volume += part.volume;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -22,6 +23,12 @@ PeelDepth::Place outside_of(const TriangleTree& body, const glm::dvec3& point, d
   return {distance, near.distance > 0 && std::isfinite(near.distance) ? way / near.distance : glm::dvec3(0)};
 }
 
+double volume_of(const TriangleTree& body) {
+  double six = 0;
+  for (const TriangleTree::Corners& t : body.triangles()) six += glm::dot(t[0], glm::cross(t[1], t[2]));
+  return std::fabs(six) / 6;
+}
+
 }  // namespace
 
 PeelDepth::PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double clearance)
@@ -33,6 +40,14 @@ PeelDepth::PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double
 
   box_ = skin().box();
   stays_ = outer_bodies(surfaces, skin()).body;
+  // One of many berries or leaves would lose its skin, and the depth below all others would be measured for nothing.
+  double beside = 0;
+  for (const TriangleTree& body : stays_) beside += volume_of(body);
+  if (beside > volume_of(skin()))
+    throw Error(ExitStatus::usage,
+                "a peeler follows one skin, and most of this fruit lies in " + std::to_string(stays_.size()) +
+                    " bodies beside its largest",
+                "peel what it is made of by itself, or cut it with another knife");
   for (const TriangleTree& body : stays_) box_.add(body.box());
 }
 

@@ -13,7 +13,8 @@ class PeelDepth {
  public:
   /// \param thickness of the peel, metres.
   /// \param clearance nothing is peeled off within this distance of a kept body, metres.
-  /// \throws Error (bad_data) for a fruit without a closed skin.
+  /// \throws Error (bad_data) for a fruit without a closed skin, (usage) for one of many bodies: those that would be
+  /// kept have together more volume than the main body.
   PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double clearance);
 
   struct Place {

@@ -16,16 +16,19 @@ Json numbers(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json facts_json(const Solid& solid) {
   const PieceFacts facts = facts_of(solid);
-  return {{"volume", facts.volume},
-          {"density", facts.density},
-          {"mass", facts.mass},
-          {"center", numbers(facts.center)},
-          {"inertia", Json::array({numbers(facts.inertia[0]), numbers(facts.inertia[1]), numbers(facts.inertia[2])})},
-          {"low", numbers(facts.low)},
-          {"high", numbers(facts.high)},
-          {"triangles", facts.triangles},
-          {"closed", solid.closed},
-          {"crumb", solid.crumb}};
+  Json json = {
+      {"volume", facts.volume},
+      {"density", facts.density},
+      {"mass", facts.mass},
+      {"center", numbers(facts.center)},
+      {"inertia", Json::array({numbers(facts.inertia[0]), numbers(facts.inertia[1]), numbers(facts.inertia[2])})},
+      {"low", numbers(facts.low)},
+      {"high", numbers(facts.high)},
+      {"triangles", facts.triangles},
+      {"closed", solid.closed},
+      {"crumb", solid.crumb}};
+  if (!solid.instances.empty()) json["instances"] = solid.instances;
+  return json;
 }
 
 }  // namespace pomona

@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// Volume, density, mass, centre, inertia, box, triangles, and whether the piece is closed or a crumb:
-/// docs/reference/formats.md.
+/// Volume, density, mass, centre, inertia, box, triangles, whether the piece is closed or a crumb, and of which placed
+/// instances it is if the fruit has any: docs/reference/formats.md.
 nlohmann::ordered_json facts_json(const Solid& solid);
 
 }  // namespace pomona

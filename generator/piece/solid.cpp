@@ -22,6 +22,7 @@ class SolidBuilder {
     solid_.volume = piece.volume;
     solid_.closed = piece.closed;
     solid_.crumb = piece.crumb;
+    solid_.instances = piece.instances;
   }
 
   Solid build(std::string name) {

@@ -82,6 +82,9 @@ struct Solid {
   bool closed = true;
   bool crumb = false;
 
+  /// The instances of placed templates whose skin it has, ascending, 0: the fruit's own; empty where nothing is placed.
+  std::vector<std::int32_t> instances;
+
   /// The source of the cut faces' colours, for textures; else null (generator/piece/section_colors.h).
   std::shared_ptr<const SectionColors> section_colors;
 

@@ -175,6 +175,7 @@ class AnnotationWriter {
                  {"rotation", {turn.w, turn.x, turn.y, turn.z}},
                  {"translation", numbers(instance.pose.translation)}};
     const Solid& solid = scene_.solids[number];
+    if (!solid.instances.empty()) json["instances"] = solid.instances;
     json.update(state_labels(solid));
     json.update(camera_pose(instance, solid, Lens(scene_.view, layers_.width, layers_.height)));
     return json;

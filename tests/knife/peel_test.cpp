@@ -1,6 +1,7 @@
 // How a peeler works: the depth below the skin, the spiral about the axis, and the offset that results.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,25 @@ TEST(PeelDepth, AroundAStemIsMoreThanThePeel) {
 
 TEST(PeelDepth, WantsAClosedSkin) {
   EXPECT_THROW(PeelDepth(shapes::open_sheet(0.1, 0.02, 2, shapes::skin_paint()), 0.002, 0.001), Error);
+}
+
+/// A bunch has no one skin: its largest berry would be peeled among the others, each of which the grid would be
+/// measured against.
+TEST(PeelDepth, WantsAMainBody) {
+  const auto beside = [](float x) {
+    DiffusionSurfaces other = ball(0.028);
+    for (glm::vec3& p : other.position) p.x += x;
+    return other;
+  };
+  const DiffusionSurfaces two = joined(ball(0.03), beside(0.07f)), three = joined(two, beside(-0.07f));
+  EXPECT_NO_THROW(PeelDepth(two, 0.002, 0.001));
+  try {
+    PeelDepth(three, 0.002, 0.001);
+    FAIL() << "was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::usage);
+    EXPECT_NE(std::string(error.what()).find("lies in 2 bodies beside its largest"), std::string::npos);
+  }
 }
 
 /// On a ball: the angle from its bottom times its radius, for points inside and outside.

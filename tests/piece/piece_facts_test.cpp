@@ -59,6 +59,13 @@ TEST(PieceFacts, AreToldWithAllRowsOfTheInertia) {
   EXPECT_EQ(told["closed"], true);
 }
 
+TEST(PieceFacts, TellInstancesWhereATemplatePlacesOthers) {
+  Solid die = dice().solids[3];
+  EXPECT_FALSE(facts_json(die).contains("instances"));
+  die.instances = {0, 3, 17};
+  EXPECT_EQ(facts_json(die)["instances"].dump(), "[0,3,17]");
+}
+
 TEST(PieceFacts, OfNothing) {
   const PieceFacts facts = facts_of({});
   EXPECT_EQ(facts.triangles, 0u);

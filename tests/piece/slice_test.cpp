@@ -57,6 +57,32 @@ TEST(Slice, TakesTheLargestPiecesThatAreChosen) {
   EXPECT_EQ(small.pieces.size(), 2u);
 }
 
+/// A ball beside the origin, as a placed instance.
+DiffusionSurfaces ball_at(const glm::vec3& center, std::int32_t instance) {
+  DiffusionSurfaces ball = shapes::sphere(0.05, 8, shapes::skin_paint());
+  for (glm::vec3& p : ball.position) p += center;
+  ball.instance.assign(ball.triangle_count(), instance);
+  return ball;
+}
+
+TEST(Slice, TellsWhichInstancesAPieceIsOf) {
+  // A ball of the fruit's own that overlaps an instance, and one instance on either side of the knife.
+  const DiffusionSurfaces middle = joined(ball_at({0, 0, 0}, 0), ball_at({0, 0.06f, 0}, 3));
+  const DiffusionSurfaces all = joined(joined(middle, ball_at({0.2f, 0, 0}, 1)), ball_at({-0.2f, 0, 0}, 2));
+  const Template plain;
+  const std::vector<Knife> knives{parse_knife("plane:1,0,0,0.1mm")};
+  std::vector<std::vector<std::int32_t>> found;
+  for (const Solid& piece : slice({{all, {}, all}, plain, knives, "balls"}, nullptr).pieces)
+    found.push_back(piece.instances);
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, (std::vector<std::vector<std::int32_t>>{{0, 3}, {0, 3}, {1}, {2}}));
+
+  DiffusionSurfaces alone = all;
+  alone.instance.clear();
+  for (const Solid& piece : slice({{alone, {}, alone}, plain, knives, "balls"}, nullptr).pieces)
+    EXPECT_TRUE(piece.instances.empty());
+}
+
 TEST(Slice, LeavesWhatTheTemplateSparesInOnePiece) {
   const DiffusionSurfaces peach =
       shapes::nested_spheres(0.05, 0.02, 8, shapes::skin_paint(), {.front_part = "flesh", .back_part = "stone"});

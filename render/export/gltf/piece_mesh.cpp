@@ -29,6 +29,7 @@ Json extras_of(const Solid& solid, const ExportOptions& options) {
   extras["triangles"] = facts.triangles;
   extras["closed"] = solid.closed;
   extras["crumb"] = solid.crumb;
+  if (!solid.instances.empty()) extras["instances"] = solid.instances;
   if (origin.number == 0) return extras;
 
   extras["template"] = origin.source;
