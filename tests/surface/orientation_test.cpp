@@ -224,6 +224,49 @@ TEST(Orientation, ABlockOfVoxelsIsSolidWhicheverWayEachFaces) {
   }
 }
 
+/// A cube of side 2 as six tetrahedra around its diagonal; those numbered in `inwards` face inwards.
+std::string tetrahedra_obj(int inwards, bool share_vertices) {
+  std::string text, faces;
+  int before = 0;
+  const auto add_corners = [&](const std::vector<int>& corners) {
+    for (const int i : corners)
+      text += "v " + std::to_string(i & 1 ? 1 : -1) + " " + std::to_string(i & 2 ? 1 : -1) + " " +
+              std::to_string(i & 4 ? 1 : -1) + "\n";
+  };
+  if (share_vertices) add_corners({0, 1, 2, 3, 4, 5, 6, 7});
+  const int ways[6][2] = {{1, 3}, {2, 6}, {4, 5}, {3, 2}, {6, 4}, {5, 1}};  // the corners between 0 and 7
+  for (int k = 0; k < 6; ++k) {
+    const std::vector<int> corner{0, ways[k][0], ways[k][1], 7};
+    if (!share_vertices) add_corners(corner);
+    const int sides[4][3] = {{0, 1, 3}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3}};
+    for (const auto& side : sides) {
+      faces += "f";
+      for (int i = 0; i < 3; ++i) {
+        const auto v = static_cast<std::size_t>(side[(inwards >> k & 1) != 0 ? 2 - i : i]);
+        faces += " " + std::to_string(share_vertices ? corner[v] + 1 : before + static_cast<int>(v) + 1);
+      }
+      faces += "\n";
+    }
+    before += 4;
+  }
+  return text + faces;
+}
+
+TEST(Orientation, TetrahedraFillTheirBlockWhicheverWayEachFaces) {
+  for (const bool share_vertices : {false, true}) {
+    for (int inwards = 0; inwards < 64; ++inwards) {
+      SCOPED_TRACE(std::to_string(inwards) + (share_vertices ? ", shared vertices" : ""));
+      const Bodies bodies = find_bodies(sweep(fruit_of({tetrahedra_obj(inwards, share_vertices)})));
+      double volume = 0;
+      for (const Bodies::Body& body : bodies.bodies) {
+        EXPECT_TRUE(body.closed);
+        volume += body.volume;
+      }
+      EXPECT_NEAR(volume, 8, 1e-9);
+    }
+  }
+}
+
 TEST(Orientation, SharedFacesMayBeTriangulatedInTwoWays) {
   for (const Vertices vertices : {Vertices::of_each_cube, Vertices::of_each_face}) {
     for (int inwards = 0; inwards < 4; ++inwards) {
