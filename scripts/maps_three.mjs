@@ -1,8 +1,9 @@
 // Draws a .glb with maps by three.js in a headless Chromium, on a table in the light of a room and a lamp:
 // docs/reference/textures.md.
-//   node scripts/maps_three.mjs FILE.glb PICTURE.png [rim]
-// "rim" looks from close by at the edge between the cut face and the skin, at 45 degrees to either. Run where
-// node_modules lies (npm ci).
+//   node scripts/maps_three.mjs FILE.glb PICTURE.png [rim|scene]
+// "rim" looks from close by at the edge between the cut face and the skin, at 45 degrees to either; "scene" looks
+// as the file's own camera does, from where all is in sight, and leaves all where it lies. Run where node_modules lies
+// (npm ci).
 import {execFile} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {createServer} from 'node:http';
@@ -11,17 +12,19 @@ import {extname, join, resolve} from 'node:path';
 import {promisify} from 'node:util';
 
 const [glb, picture] = process.argv.slice(2, 4).map((path) => resolve(path));
-const atRim = process.argv[4] === 'rim';
+const atRim = process.argv[4] === 'rim', asItLies = process.argv[4] === 'scene';
+const [width, height] = asItLies ? [640, 480] : [480, 384];
 const page = `<!DOCTYPE html><meta charset="utf-8"><script type="importmap">
 {"imports": {"three": "/node_modules/three/build/three.module.js",
   "three/addons/": "/node_modules/three/examples/jsm/"}}
 </script><body style="margin: 0"><script type="module">
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
-const { scene: fruit } = await new GLTFLoader().loadAsync('/scene.glb');
+const { scene: fruit, cameras } = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).loadAsync('/scene.glb');
 const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
-renderer.setSize(480, 384);
+renderer.setSize(${width}, ${height});
 renderer.shadowMap.enabled = true;
 renderer.shadowMap.type = THREE.PCFSoftShadowMap;
 renderer.toneMapping = THREE.NeutralToneMapping;
@@ -30,7 +33,7 @@ const scene = new THREE.Scene();
 scene.background = new THREE.Color(0xf7f3eb);
 scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.03).texture;
 scene.environmentIntensity = 0.35;
-fruit.rotation.x = -70 * Math.PI / 180;  // the face points up, like a half on a table
+if (!${asItLies}) fruit.rotation.x = -70 * Math.PI / 180;  // the face points up, like a half on a table
 scene.add(fruit);
 const box = new THREE.Box3().setFromObject(fruit, true), middle = box.getCenter(new THREE.Vector3());
 const reach = box.getSize(new THREE.Vector3()).length() / 2;
@@ -50,9 +53,18 @@ Object.assign(sun.shadow.camera, { left: -3 * reach, right: 3 * reach, top: 3 * 
   near: 0.1 * reach, far: 14 * reach });
 fruit.traverse((part) => { part.castShadow = part.isMesh; });
 scene.add(table, sun, sun.target);
-const camera = new THREE.PerspectiveCamera(25, 480 / 384, 0.01 * reach, 100 * reach);
-camera.position.copy(middle).add(new THREE.Vector3(0.3, 0.8, 1).normalize().multiplyScalar(4.3 * reach));
-camera.lookAt(middle);
+const camera = ${asItLies} ? cameras[0] :
+  new THREE.PerspectiveCamera(25, ${width} / ${height}, 0.01 * reach, 100 * reach);
+if (${asItLies}) {
+  fruit.traverse((part) => { part.receiveShadow = part.isMesh; });
+  camera.aspect = ${width} / ${height};
+  camera.updateProjectionMatrix();
+  const back = new THREE.Vector3(0, 0, 1).applyQuaternion(camera.getWorldQuaternion(new THREE.Quaternion()));
+  camera.position.copy(middle).addScaledVector(back, 0.72 * reach / Math.sin(camera.fov * Math.PI / 360));
+} else {
+  camera.position.copy(middle).add(new THREE.Vector3(0.3, 0.8, 1).normalize().multiplyScalar(4.3 * reach));
+  camera.lookAt(middle);
+}
 if (${atRim}) {
   const face = new THREE.Vector3(0, 0, 1).applyEuler(fruit.rotation), at = new THREE.Vector3(),
     place = new THREE.Vector3();
@@ -95,9 +107,9 @@ await promisify(execFile)(
   'chromium',
   [
     '--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader',
-    '--enable-unsafe-swiftshader', '--hide-scrollbars', '--window-size=480,384', `--user-data-dir=${profile}`,
-    '--virtual-time-budget=60000', '--run-all-compositor-stages-before-draw', `--screenshot=${picture}`,
-    `http://127.0.0.1:${server.address().port}/`
+    '--enable-unsafe-swiftshader', '--hide-scrollbars', `--window-size=${width},${height}`,
+    `--user-data-dir=${profile}`, '--virtual-time-budget=60000', '--run-all-compositor-stages-before-draw',
+    `--screenshot=${picture}`, `http://127.0.0.1:${server.address().port}/`
   ],
   {timeout: 200000});
 server.close();

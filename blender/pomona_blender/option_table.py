@@ -56,7 +56,7 @@ def told_by_module(rows: Iterable[Any]) -> list[Option]:
 # What the table has for .glb files of pieces, and a person has no use for here: knives are a list of their own, objects
 # have a seed each, the other files are not read, and names and extras for engines are not for Blender.
 NOT_ASKED = frozenset(("knife", "seeds", "section", "pieces", "maps-dir", "aov", "aov-format", "engine", "instances",
-                       "feature-ids", "ripeness-variants", "threads"))
+                       "feature-ids", "compress", "atlas", "ripeness-variants", "threads"))
 
 
 def asked(table: Iterable[Option]) -> list[Option]:

@@ -15,6 +15,13 @@ enum class Compression {
 /// The axis that points up in a file.
 enum class UpAxis { y, z };
 
+/// What shares one material. Looks are told apart by maps then, and pieces of a file by their places on one texture.
+enum class AtlasOf {
+  none,   ///< parts of a piece that have one look
+  piece,  ///< all parts of a piece
+  file,   ///< all pieces of a file; their texture, too
+};
+
 /// The maps of textures.
 enum class Maps {
   color,  ///< base colour alone

@@ -62,6 +62,7 @@ struct MeshOrder {
   int texture = 0;                             ///< texels along a texture's edge; 0 = colours on vertices
   TypedLength texel = {};                      ///< size of a texel, instead of `texture`
   Maps maps = Maps::all;                       ///< maps of textures
+  AtlasOf atlas = AtlasOf::none;               ///< .glb: what shares one material of textures
   std::string maps_dir = {};                   ///< folder for the textures as pictures, too; empty = none
   int lod = 0;                                 ///< further levels of detail, 0 to 6
   Engine engine = Engine::any;                 ///< for .glb only

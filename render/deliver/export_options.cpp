@@ -26,8 +26,10 @@ std::optional<BakeOptions> bake_options(const Order& order) {
   if (!wants_textures(order.mesh)) return {};
   // Maps are for .glb alone.
   const bool has_maps = order.mesh.maps == Maps::all && any_is(order.outputs, {Format::glb});
-  BakeOptions how{
-      .texel = order.mesh.texel.metres, .maps = has_maps ? Maps::all : Maps::color, .threads = order.threads};
+  BakeOptions how{.texel = order.mesh.texel.metres,
+                  .maps = has_maps ? Maps::all : Maps::color,
+                  .looks = has_maps && order.mesh.atlas != AtlasOf::none,
+                  .threads = order.threads};
   if (order.mesh.texture > 0) how.texels = order.mesh.texture;
   return how;
 }

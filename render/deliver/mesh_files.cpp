@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -20,31 +22,53 @@
 #include "render/export/stl.h"
 #include "render/export/usd/write_usda.h"
 #include "render/image/png.h"
+#include "render/texture/texture_pages.h"
 
 namespace pomona {
 
 namespace {
 
-/// For each solid NAME.color.png, and where it has maps NAME.normal.png, NAME.orm.png, NAME.thickness.png and
-/// NAME.part.png; and parts.json, with the names of the parts' numbers.
+/// A texture and its maps: NAME.color.png, NAME.normal.png, ...
+void add_map_files(const std::filesystem::path& folder, const std::string& name, const Image& texture,
+                   const SurfaceMaps& maps, std::vector<OutputFile>& files) {
+  const auto write = [&](const char* map, const auto& image, PngValues values) {
+    files.push_back({folder / (name + "." + map + ".png"), write_png(image, PngPacking::fast, values)});
+  };
+  const auto add = [&](const char* map, const Image& image, PngValues values) {
+    if (!image.pixels.empty()) write(map, image, values);
+  };
+  const auto add_with_opacity = [&](const char* map, const TransparentImage& image, PngValues values) {
+    if (!image.opacity.empty()) write(map, image, values);
+  };
+  add("color", texture, PngValues::srgb);
+  add("normal", maps.normal, PngValues::shares);
+  add("orm", maps.orm, PngValues::shares);
+  add("thickness", maps.thickness, PngValues::shares);
+  add("part", maps.part, PngValues::shares);
+  add_with_opacity("coat", maps.coat, PngValues::shares);
+  add_with_opacity("sheen", maps.sheen, PngValues::srgb);
+  add_with_opacity("light", maps.light, PngValues::srgb);
+}
+
+std::string file_name(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+/// The texture and the maps of each solid or page; and parts.json, with the names of the parts' numbers.
 /// \param folder need not exist yet.
 std::vector<OutputFile> map_files(std::span<const BakedSolid> baked, const std::filesystem::path& folder) {
   std::vector<OutputFile> files;
   nlohmann::ordered_json parts = nlohmann::ordered_json::object();
+  std::set<const TexturePage*> pages;
   for (const BakedSolid& solid : baked) {
-    if (solid.texture.pixels.empty()) continue;
-    std::string name = solid.solid.name;
-    std::replace(name.begin(), name.end(), '/', '_');
-    const auto add = [&](const char* map, const Image& image, PngValues values) {
-      if (image.pixels.empty()) return;
-      files.push_back({folder / (name + "." + map + ".png"), write_png(image, PngPacking::fast, values)});
-    };
-    add("color", solid.texture, PngValues::srgb);
-    add("normal", solid.maps.normal, PngValues::shares);
-    add("orm", solid.maps.orm, PngValues::shares);
-    add("thickness", solid.maps.thickness, PngValues::shares);
-    add("part", solid.maps.part, PngValues::shares);
+    if (solid.uv.empty()) continue;
+    const std::string name = file_name(solid.solid.name);
     parts[name] = solid.solid.look->part_names;
+    if (!solid.page)
+      add_map_files(folder, name, solid.texture, solid.maps, files);
+    else if (pages.insert(solid.page.get()).second)
+      add_map_files(folder, file_name(solid.page->name), solid.page->texture, solid.page->maps, files);
   }
   files.push_back({folder / "parts.json", json_text(parts, 2) + "\n"});
   return files;
@@ -69,6 +93,45 @@ std::vector<BakedSolid> baked_by_fruit(std::span<const Solid> solids, const Styl
   return baked_solids;
 }
 
+/// The same meshes with their textures on pages.
+ReadyMeshes on_one_atlas(const ReadyMeshes& ready) {
+  std::vector<const BakedSolid*> all;
+  for (const BakedSolid& solid : ready.baked) all.push_back(&solid);
+  for (const std::vector<BakedSolid>& levels : ready.coarser)
+    for (const BakedSolid& level : levels) all.push_back(&level);
+  std::vector<glm::ivec2> sizes;
+  for (const BakedSolid* solid : all) sizes.emplace_back(solid->texture.width, solid->texture.height);
+  const PageLayout layout = page_layout(sizes);
+
+  std::vector<BakedSolid> paged = on_pages(all, layout, "atlas");
+  auto next = std::make_move_iterator(paged.begin());
+  const auto taken = [&](std::size_t count) {
+    std::vector<BakedSolid> some(next, next + static_cast<std::ptrdiff_t>(count));
+    next += static_cast<std::ptrdiff_t>(count);
+    return some;
+  };
+  ReadyMeshes result;
+  result.baked = taken(ready.baked.size());
+  for (const std::vector<BakedSolid>& levels : ready.coarser) result.coarser.push_back(taken(levels.size()));
+  for (const TextureVariant& variant : ready.variants) {
+    std::vector<const BakedSolid*> solids;
+    for (const BakedSolid& solid : variant.solids) solids.push_back(&solid);
+    result.variants.push_back({variant.name, on_pages(solids, layout, "atlas")});
+  }
+  return result;
+}
+
+Delivered textured_glb(const Output& output, const SceneViews& scene, const ReadyMeshes& ready, const Order& order,
+                       const ExportOptions& options, Delivered delivered) {
+  if (!order.mesh.maps_dir.empty()) {
+    for (OutputFile& file : delivered.times.time("write", [&] { return map_files(ready.baked, order.mesh.maps_dir); }))
+      delivered.files.push_back({std::move(file), true});
+  }
+  delivered.add(output.file,
+                [&] { return write_glb(scene.placed, ready.baked, options, ready.coarser, ready.variants); });
+  return delivered;
+}
+
 Delivered glb_files(const Output& output, const SceneViews& scene, const ReadyMeshes& ready, const Order& order,
                     const DeliverOptions& how) {
   if (order.mesh.cuttable && scene.fruit != nullptr)
@@ -88,13 +151,11 @@ Delivered glb_files(const Output& output, const SceneViews& scene, const ReadyMe
     });
     return delivered;
   }
-  if (!order.mesh.maps_dir.empty()) {
-    for (OutputFile& file : delivered.times.time("write", [&] { return map_files(ready.baked, order.mesh.maps_dir); }))
-      delivered.files.push_back({std::move(file), true});
+  if (order.mesh.atlas == AtlasOf::file) {
+    const ReadyMeshes paged = delivered.times.time("bake", [&] { return on_one_atlas(ready); });
+    return textured_glb(output, scene, paged, order, options, std::move(delivered));
   }
-  delivered.add(output.file,
-                [&] { return write_glb(scene.placed, ready.baked, options, ready.coarser, ready.variants); });
-  return delivered;
+  return textured_glb(output, scene, ready, order, options, std::move(delivered));
 }
 
 Delivered usda_files(const Output& output, const Scene& scene, const ReadyMeshes& ready, const Order& order,

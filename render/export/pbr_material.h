@@ -1,36 +1,16 @@
-// Materials for physically based rendering (PBR), as in glTF.
+// The materials of a mesh for physically based rendering (PBR), as in glTF.
 #pragma once
 
-#include <array>
-#include <compare>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "render/export/styled_mesh.h"
-#include "render/style/tissue_light.h"
+#include "render/style/pbr_look.h"
 
 namespace pomona {
-
-/// The factors of a glTF material and of its extensions. The defaults are those of parts without a description: dull
-/// like flesh, without extensions.
-struct PbrMaterial {
-  double roughness = 0.6;
-  double specular = 1;                            ///< KHR_materials_specular
-  double clearcoat = 0, clearcoat_roughness = 0;  ///< KHR_materials_clearcoat
-  std::array<double, 3> sheen{};                  ///< KHR_materials_sheen: colour, linear
-  double sheen_roughness = 0;
-  double transmission = 0;  ///< KHR_materials_diffuse_transmission
-  std::array<double, 3> transmission_color{1, 1, 1};
-  double clearness = 0;  ///< KHR_materials_transmission: of light that goes straight through
-  TissueLight inside{};  ///< where it is asked for, see groups_by_material()
-
-  auto operator<=>(const PbrMaterial&) const = default;
-};
-
-/// Smooth and wet parts have a clear coat, hairs and bloom are a sheen, translucent parts let diffuse light through.
-PbrMaterial look_of(const MaterialSketch& material, bool on_cut_face);
 
 /// The triangles of a mesh with one material. Groups are in the order in which their materials first occur. There is
 /// one group if the solid's template has no materials.
@@ -44,5 +24,9 @@ struct MaterialGroup {
 enum class LightInside { left_out, told };
 std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh,
                                               LightInside light = LightInside::left_out);
+
+/// The groups as one, for a material whose maps tell looks; and another one, "clear", of what light goes straight
+/// through, because engines draw it by itself. What no map tells is as in the group of the most triangles.
+std::vector<MaterialGroup> groups_in_maps(const std::vector<MaterialGroup>& groups);
 
 }  // namespace pomona

@@ -138,12 +138,12 @@ std::string write_png(const Image& image, PngPacking packing, PngValues values) 
                     values, image.dpi);
 }
 
-std::string write_png(const TransparentImage& image) {
+std::string write_png(const TransparentImage& image, PngPacking packing, PngValues values) {
   std::vector<glm::u8vec4> pixels;
   pixels.reserve(image.opacity.size());
   for (std::size_t i = 0; i < image.opacity.size(); ++i) pixels.emplace_back(image.image.pixels[i], image.opacity[i]);
   return write_rows(reinterpret_cast<const std::uint8_t*>(pixels.data()), image.image.width, image.image.height, 4,
-                    PngPacking::small, PngValues::srgb);
+                    packing, values);
 }
 
 namespace {

@@ -26,7 +26,8 @@ enum class PngValues {
 std::string write_png(const Image& image, PngPacking packing = PngPacking::small, PngValues values = PngValues::srgb);
 
 /// The same with opacity: 8-bit RGBA.
-std::string write_png(const TransparentImage& image);
+std::string write_png(const TransparentImage& image, PngPacking packing = PngPacking::small,
+                      PngValues values = PngValues::srgb);
 
 /// \param name for messages.
 /// \throws Error (bad_data) for what is not a PNG, or is larger than max_picture_side either way.

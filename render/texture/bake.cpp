@@ -10,6 +10,7 @@
 #include "render/texture/atlas_gaps.h"
 #include "render/texture/baked_ink.h"
 #include "render/texture/chart_canvas.h"
+#include "render/texture/look_texels.h"
 #include "render/texture/sample_colors.h"
 #include "render/texture/sample_maps.h"
 #include "render/texture/tangents.h"
@@ -38,6 +39,7 @@ class Baker {
     image = image_of({0, 0, 0});
     add_mesh();
     if (options_.maps == Maps::all) start_maps();
+    if (options_.maps == Maps::all && options_.looks) start_looks();
     // The number of charts that together have a million texels or two.
     for (std::size_t first = 0; first < charts_.size();) {
       std::size_t end = first, texels = 0;
@@ -78,6 +80,20 @@ class Baker {
     sample_maps_.emplace(solid_, colors_->look(), tangent_mesh_, texel(), options_.threads);
   }
 
+  /// Outside of charts, nothing has a coat, a sheen or light behind it.
+  void start_looks() {
+    SurfaceMaps& maps = result_.maps;
+    maps.tell_looks = true;
+    looks_.emplace(solid_);
+    const auto filled = [&](const glm::u8vec3& value, std::uint8_t opacity) {
+      const std::size_t texels = static_cast<std::size_t>(atlas_.size.x) * atlas_.size.y;
+      return TransparentImage{image_of(value), std::vector<std::uint8_t>(texels, opacity)};
+    };
+    if (looks_->any_coat()) maps.coat = filled({0, 0, 0}, 255);
+    if (looks_->any_sheen()) maps.sheen = filled({0, 0, 0}, 255);
+    if (looks_->any_light()) maps.light = filled({255, 255, 255}, 0);
+  }
+
   /// Colours the charts from `first` to before `end`.
   void paint(std::size_t first, std::size_t end) {
     std::vector<std::vector<TexelSample>> of_chart(end - first);
@@ -101,22 +117,59 @@ class Baker {
       canvas.fill();
       canvas.write(result_.texture);
       if (sample_maps_) draw_maps(first + i, of_chart[i], shading.data() + begin[i]);
+      if (looks_) draw_looks(first + i, of_chart[i], shading.data() + begin[i]);
     });
   }
 
   /// A chart's place on each map.
   void draw_maps(std::size_t chart, const std::vector<TexelSample>& samples, const MapSample* shading) {
+    const MapSample speck = samples.empty() ? sample_maps_->speck(charts_[chart].triangles.front()) : MapSample{};
     const auto drawn = [&](auto value) {
-      ChartCanvas canvas(atlas_, chart, boxes_[chart]);
-      draw(canvas, samples, [&](std::size_t k) { return value(shading[k]); });
-      if (samples.empty()) canvas.fill_with(value(sample_maps_->speck(charts_[chart].triangles.front())));
-      canvas.fill();
-      return canvas;
+      return filled(
+          chart, samples, [&](std::size_t k) { return value(shading[k]); }, value(speck));
     };
     drawn([](const MapSample& s) { return s.normal; }).write_directions(result_.maps.normal);
     drawn([](const MapSample& s) { return s.orm; }).write_shares(result_.maps.orm);
     drawn([](const MapSample& s) { return s.thickness; }).write_shares(result_.maps.thickness);
     draw_parts(chart, samples);
+  }
+
+  /// A chart's place on the maps of looks. A coat is as thick as the film of juice is there.
+  void draw_looks(std::size_t chart, const std::vector<TexelSample>& samples, const MapSample* shading) {
+    const std::uint32_t first = charts_[chart].triangles.front();
+    const float film = samples.empty() ? sample_maps_->speck(first).thickness.x : 1;
+    const auto drawn = [&](auto value) {
+      const auto of_sample = [&](std::size_t k) {
+        return Color(value(looks_->of(samples[k].triangle), shading[k].thickness.x));
+      };
+      return filled(chart, samples, of_sample, Color(value(looks_->of(first), film)));
+    };
+    SurfaceMaps& maps = result_.maps;
+    if (looks_->any_coat()) {
+      drawn([](const LookTexel& look, float share) {
+        return look.coat * Color(share, 1, 1);
+      }).write_shares(maps.coat.image);
+      drawn([](const LookTexel& look, float) { return look.specular; }).write_opacity(maps.coat);
+    }
+    if (looks_->any_sheen()) {
+      drawn([](const LookTexel& look, float) { return look.sheen; }).write(maps.sheen.image);
+      drawn([](const LookTexel& look, float) { return look.sheen_roughness; }).write_opacity(maps.sheen);
+    }
+    if (looks_->any_light()) {
+      drawn([](const LookTexel& look, float) { return look.light; }).write(maps.light.image);
+      drawn([](const LookTexel& look, float) { return look.light_share; }).write_opacity(maps.light);
+    }
+  }
+
+  /// A chart's canvas with the mean of each texel's samples, drawn out to its edges. \param speck where it has none.
+  template <typename ValueOf>
+  ChartCanvas filled(std::size_t chart, const std::vector<TexelSample>& samples, const ValueOf& value_of,
+                     const Color& speck) const {
+    ChartCanvas canvas(atlas_, chart, boxes_[chart]);
+    draw(canvas, samples, value_of);
+    if (samples.empty()) canvas.fill_with(speck);
+    canvas.fill();
+    return canvas;
   }
 
   /// Parts have no mean: uses the part of each texel's first sample, and none around the chart.
@@ -220,6 +273,7 @@ class Baker {
   std::optional<SampleColors> colors_;
   TangentMesh tangent_mesh_;
   std::optional<SampleMaps> sample_maps_;
+  std::optional<LookTexels> looks_;
   BakedSolid result_;
 };
 

@@ -2,7 +2,9 @@
 // (docs/reference/textures.md).
 #pragma once
 
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -20,16 +22,25 @@ struct BakeOptions {
   double texel = 0;    ///< metres: if above 0 the texture is as large as that asks for, and `texels` means nothing
   int mip_levels = 3;  ///< number of mip levels at which no chart gets colours of another
   Maps maps = Maps::color;
+  bool looks = false;        ///< with all maps: they hold what else tells the parts' materials apart, too
   bool every_texel = false;  ///< diffuse at each texel, as a reference for measurements; slow
   Threads threads{};
+};
+
+/// A texture that several solids share (texture_pages.h).
+struct TexturePage {
+  std::string name;
+  Image texture;
+  SurfaceMaps maps{};  ///< without thickness, and without tangents, which stay with the solids
 };
 
 /// A solid with texture coordinates; vertices are doubled along chart borders.
 struct BakedSolid {
   Solid solid;
-  std::vector<glm::vec2> uv;  ///< one per vertex; (0, 0) is the upper left corner of the texture
-  Image texture;              ///< sRGB; 0 x 0 for a solid without triangles
-  SurfaceMaps maps{};         ///< empty unless BakeOptions::maps asks for all
+  std::vector<glm::vec2> uv;                  ///< one per vertex; (0, 0) is the upper left corner of the texture
+  Image texture;                              ///< sRGB; 0 x 0 for a solid without triangles
+  SurfaceMaps maps{};                         ///< empty unless BakeOptions::maps asks for all
+  std::shared_ptr<const TexturePage> page{};  ///< holds the texels in place of `texture` and `maps`; null: these do
 
   int mip_levels = 0;  ///< as in BakeOptions, or fewer if there are many charts and few texels
   double texel = 0;    ///< metres, exact on cut faces

@@ -82,6 +82,15 @@ void ChartCanvas::write_directions(Image& image) const {
   });
 }
 
+void ChartCanvas::write_opacity(TransparentImage& image) const {
+  for (int y = low_.y; y < high_.y; ++y) {
+    for (int x = low_.x; x < high_.x; ++x) {
+      if (!has(x, y)) continue;
+      image.opacity[static_cast<std::size_t>(y) * image.image.width + x] = eight_bits_of(color_[at(x, y)]).r;
+    }
+  }
+}
+
 std::vector<glm::ivec2> ChartCanvas::border() const {
   std::vector<glm::ivec2> ring;
   for (int y = low_.y; y < high_.y; ++y) {

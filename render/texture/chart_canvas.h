@@ -50,6 +50,9 @@ class ChartCanvas {
   void write_shares(Image& image) const;
   void write_directions(Image& image) const;
 
+  /// Copies the reds of the filled texels, shares.
+  void write_opacity(TransparentImage& image) const;
+
  private:
   template <typename Encode>
   void write_as(Image& image, const Encode& encode) const {

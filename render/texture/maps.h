@@ -19,9 +19,16 @@ struct SurfaceMaps {
                     ///< film
   Image part;       ///< the part's number in Solid::part_names, in all channels; 255 where there is none
 
+  // How the parts take light, as glTF packs it, where one material is for all of them (BakeOptions::looks). Each is
+  // 0 x 0 if it has nothing to tell: no coat and no dull skin, no sheen, no light.
+  TransparentImage coat;   ///< red: clear coat; green: its roughness; opacity: how much the surface mirrors, specular
+  TransparentImage sheen;  ///< colour, sRGB; opacity: roughness
+  TransparentImage light;  ///< of what comes out behind: colour, sRGB; opacity: share
+  bool tell_looks = false;
+
   std::vector<glm::vec4> tangent;  ///< per vertex: the direction of u, and 1: v runs against n x u
 
-  bool empty() const { return tangent.empty(); }
+  bool empty() const { return normal.pixels.empty(); }
 };
 
 /// Metres: thicker parts count as this thick.

@@ -71,7 +71,7 @@ VALUES = {
     "piece": "2", "explode": "1.5", "crumbs": "true", "diffuser": '"harmonic"', "style": '"plain"', "texel": '"4mm"',
     "maps": '"all"', "ripeness_variants": '"0.5,1"', "engine": '"unity"', "instances": "true", "feature_ids": "true",
     "size": '"320x240"', "dpi": "150", "view": '"30,20"',
-    "compress": '"meshopt"', "up": '"z"', "hulls": "3",
+    "compress": '"meshopt"', "up": '"z"', "hulls": "3", "atlas": '"file"',
 }
 FORMATS = ("ply", "glb", "usda", "obj", "stl", "pov", "svg", "html", "pomona", "xml", "urdf")
 
@@ -84,7 +84,7 @@ class Batches(Sandbox):
 
     def assert_same(self, keys, formats, fruit="tomato"):
         """The item of a batch with these keys, and the files of `cut` with the same options."""
-        textures = "texture = 64\n" if keys.keys() & {"maps", "ripeness_variants"} else ""
+        textures = "texture = 64\n" if keys.keys() & {"maps", "ripeness_variants", "atlas"} else ""
         lines = "".join(f"{key} = {value}\n" for key, value in keys.items())
         (self.path / "b.toml").write_text(
             f'[batch]\nformat = 1\nname = "b"\n[[entry]]\nname = "a"\ntemplates = "{fruit}"\nseeds = 3\n'

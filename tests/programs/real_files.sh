@@ -27,6 +27,7 @@ small -o small.glb -o small.usda -o small.pov -o small.png -o small.html -o smal
 small --instances --feature-ids -o small-instances.glb -o small-instances.usda
 small --lod 2 -o small-levels.glb -o small-levels.usda
 small --engine godot -o small-godot.glb
+for shared in none piece file; do small --texture 64 --lod 1 --atlas $shared -o small-atlas-$shared.glb; done
 mkdir coded && small --compress meshopt -o coded/small.glb
 small --up z --hulls 4 -o small-z.usda
 cp "$repository/tests/programs/small_crate.toml" "$repository/scenes/dishes/crate.obj" .

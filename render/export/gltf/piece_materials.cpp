@@ -1,6 +1,7 @@
 #include "render/export/gltf/piece_materials.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace pomona::gltf {
@@ -25,6 +26,15 @@ double depth_of_transmission(double transmission) { return 1e-3 * transmission /
 bool lets_light_through(const Solid& solid) {
   return std::any_of(solid.look->materials.begin(), solid.look->materials.end(),
                      [](const MaterialSketch& material) { return material.translucency.depth > 0; });
+}
+
+bool has_coat(const TransparentImage& coat) {
+  const std::vector<glm::u8vec3>& pixels = coat.image.pixels;
+  return std::any_of(pixels.begin(), pixels.end(), [](const glm::u8vec3& pixel) { return pixel.r > 0; });
+}
+
+bool has_dull_places(const TransparentImage& coat) {
+  return std::any_of(coat.opacity.begin(), coat.opacity.end(), [](std::uint8_t specular) { return specular < 255; });
 }
 
 /// True if the film of juice, in red, thins out anywhere.
@@ -90,6 +100,7 @@ void PieceMaterials::add_maps(Json& material, const PbrMaterial& look, const Pie
     material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", *textures.orm}};
     material["occlusionTexture"] = {{"index", *textures.orm}};
   }
+  add_look_maps(material, textures);
   if (textures.film && look.clearcoat > 0)
     material["extensions"]["KHR_materials_clearcoat"]["clearcoatTexture"] = {{"index", *textures.film}};
   if (!textures.thickness || !(look.transmission > 0)) return;
@@ -100,18 +111,66 @@ void PieceMaterials::add_maps(Json& material, const PbrMaterial& look, const Pie
   document_.use_extension("KHR_materials_volume");
 }
 
-PieceTextures PieceMaterials::add_textures(const BakedSolid& baked) {
-  const std::string& name = baked.solid.name;
-  PieceTextures textures{.color = add_texture(name, baked.texture)};
-  if (baked.maps.empty()) return textures;
-  textures.normal = add_texture(name + " normal", baked.maps.normal, PngValues::shares);
-  textures.orm = add_texture(name + " orm", baked.maps.orm, PngValues::shares);
-  const bool is_thin = lets_light_through(baked.solid), has_ends = ends_somewhere(baked.maps.thickness);
+/// Adds maps of what else tells the looks of parts apart.
+void PieceMaterials::add_look_maps(Json& material, const PieceTextures& textures) {
+  const auto add = [&](const char* name, Json extension) {
+    material["extensions"][name] = std::move(extension);
+    document_.use_extension(name);
+  };
+  const auto slot = [](const std::optional<int>& texture) { return Json{{"index", *texture}}; };
+  if (textures.coat) {
+    add("KHR_materials_clearcoat", {{"clearcoatFactor", 1.0},
+                                    {"clearcoatTexture", slot(textures.coat)},
+                                    {"clearcoatRoughnessFactor", 1.0},
+                                    {"clearcoatRoughnessTexture", slot(textures.coat)}});
+  }
+  if (textures.specular) add("KHR_materials_specular", {{"specularTexture", slot(textures.specular)}});
+  if (textures.sheen) {
+    add("KHR_materials_sheen", {{"sheenColorFactor", {1.0, 1.0, 1.0}},
+                                {"sheenColorTexture", slot(textures.sheen)},
+                                {"sheenRoughnessFactor", 1.0},
+                                {"sheenRoughnessTexture", slot(textures.sheen)}});
+  }
+  if (textures.light) {
+    add("KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 1.0},
+                                               {"diffuseTransmissionTexture", slot(textures.light)},
+                                               {"diffuseTransmissionColorTexture", slot(textures.light)}});
+  }
+}
+
+PieceTextures PieceMaterials::add_textures(const BakedSolid& baked, const std::string& variant) {
+  if (!baked.page)
+    return add_all(baked.solid.name + variant, baked.texture, baked.maps, lets_light_through(baked.solid));
+  const auto [known, is_new] = pages_.try_emplace(baked.page.get());
+  if (is_new) {
+    known->second = add_all(baked.page->name + variant, baked.page->texture, baked.page->maps, false);
+    known->second.are_shared = true;
+  }
+  return known->second;
+}
+
+/// \param is_thin the solid lets light through somewhere.
+PieceTextures PieceMaterials::add_all(const std::string& name, const Image& color, const SurfaceMaps& maps,
+                                      bool is_thin) {
+  const auto png = [](const auto& picture, PngValues values) { return write_png(picture, PngPacking::fast, values); };
+  PieceTextures textures{.color = add_texture(name, png(color, PngValues::srgb))};
+  if (maps.empty()) return textures;
+  textures.normal = add_texture(name + " normal", png(maps.normal, PngValues::shares));
+  textures.orm = add_texture(name + " orm", png(maps.orm, PngValues::shares));
+  const bool has_ends = !maps.tell_looks && ends_somewhere(maps.thickness);
   if (is_thin || has_ends) {
-    const int both = add_texture(name + " thickness", baked.maps.thickness, PngValues::shares);
+    const int both = add_texture(name + " thickness", png(maps.thickness, PngValues::shares));
     if (is_thin) textures.thickness = both;
     if (has_ends) textures.film = both;
   }
+  textures.tell_looks = maps.tell_looks;
+  if (!maps.coat.opacity.empty()) {
+    const int both = add_texture(name + " coat", png(maps.coat, PngValues::shares));
+    if (has_coat(maps.coat)) textures.coat = both;
+    if (has_dull_places(maps.coat)) textures.specular = both;
+  }
+  if (!maps.sheen.opacity.empty()) textures.sheen = add_texture(name + " sheen", png(maps.sheen, PngValues::srgb));
+  if (!maps.light.opacity.empty()) textures.light = add_texture(name + " light", png(maps.light, PngValues::srgb));
   return textures;
 }
 
@@ -126,8 +185,8 @@ int PieceMaterials::smooth_sampler() {
   return *sampler_;
 }
 
-int PieceMaterials::add_texture(const std::string& name, const Image& picture, PngValues values) {
-  const std::string png = write_png(picture, PngPacking::fast, values);
+/// Adds a picture in the buffer, sampled trilinearly.
+int PieceMaterials::add_texture(const std::string& name, const std::string& png) {
   const int view = document_.add_view(png.data(), png.size(), Target::none);
   const int image = document_.add("images", {{"name", name}, {"mimeType", "image/png"}, {"bufferView", view}});
   return document_.add("textures", {{"name", name}, {"sampler", smooth_sampler()}, {"source", image}});

@@ -14,16 +14,21 @@
 
 namespace pomona::gltf {
 
-/// Textures of one piece, as the document's indices.
+/// Textures of one piece, or of a page, as the document's indices.
 struct PieceTextures {
   int color = 0;
   std::optional<int> normal = {}, orm = {}, thickness = {}, film = {};  ///< the last two are one texture
+
+  // Those that tell looks (SurfaceMaps::tell_looks); `coat` and `specular` are one texture.
+  std::optional<int> coat = {}, specular = {}, sheen = {}, light = {};
+  bool tell_looks = false;
+  bool are_shared = false;  ///< by pieces on a page: their materials, too
 
   auto operator<=>(const PieceTextures&) const = default;
 };
 
 /// All pieces of a fruit share its materials, named by what they show: "tomato skin", "tomato gel". With textures each
-/// texture has its own: "tomato.piece-2 skin".
+/// texture has its own: "tomato.piece-2 skin"; where maps tell looks, one: "tomato.piece-2".
 class PieceMaterials {
  public:
   explicit PieceMaterials(GltfDocument& document) : document_(document) {}
@@ -31,19 +36,21 @@ class PieceMaterials {
   /// \param group of the solid. \param textures of add_textures(), or nothing where vertices have colours.
   int material(const Solid& solid, const MaterialGroup& group, const std::optional<PieceTextures>& textures);
 
-  /// Its colours, and its maps if it has any.
-  PieceTextures add_textures(const BakedSolid& baked);
-
-  /// Adds a picture as PNG in the buffer, sampled trilinearly.
-  int add_texture(const std::string& name, const Image& picture, PngValues values = PngValues::srgb);
+  /// Its colours, and its maps if it has any; those of a page are added once.
+  /// \param variant what is added to their names, as " ripeness 0.3".
+  PieceTextures add_textures(const BakedSolid& baked, const std::string& variant = {});
 
  private:
   int smooth_sampler();
+  int add_texture(const std::string& name, const std::string& png);
+  PieceTextures add_all(const std::string& name, const Image& color, const SurfaceMaps& maps, bool is_thin);
+  void add_look_maps(Json& material, const PieceTextures& textures);
   void add_maps(Json& material, const PbrMaterial& look, const PieceTextures& textures);
   void add_extensions(Json& material, const PbrMaterial& look);
 
   GltfDocument& document_;
   std::optional<int> sampler_;
+  std::map<const TexturePage*, PieceTextures> pages_;
   std::map<std::tuple<std::string, bool, float, PbrMaterial, std::optional<PieceTextures>>, int> known_;
 };
 

@@ -50,6 +50,22 @@ void add_feature_ids(GltfDocument& document, Json& primitive, std::size_t parts)
   document.use_extension("EXT_mesh_features");
 }
 
+/// The triangles of each material, with what stands in the material itself.
+std::vector<MaterialGroup> groups_of(const Solid& solid, const StyledMesh& styled,
+                                     const std::optional<PieceTextures>& textures) {
+  std::vector<MaterialGroup> groups =
+      groups_by_material(solid, styled, textures ? LightInside::told : LightInside::left_out);
+  if (textures && textures->tell_looks) groups = groups_in_maps(groups);
+  if (textures && textures->are_shared) {
+    // What is that of one piece alone would give it a material of its own.
+    for (MaterialGroup& group : groups) group.look.inside = {};
+    if (textures->tell_looks) {
+      for (MaterialGroup& group : groups) group.look.transmission = 0, group.look.transmission_color = {1, 1, 1};
+    }
+  }
+  return groups;
+}
+
 /// Adds each variant with its material.
 void add_variants(Json& primitive, PieceMaterials& materials, const Solid& solid, const MaterialGroup& group,
                   const PieceMeshOptions& mesh) {
@@ -75,8 +91,7 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
   const Json attributes =
       is_coded ? add_coded_vertices(document, styled, mesh.pivot) : add_vertices(document, styled, mesh.pivot);
   Json primitives = Json::array();
-  for (const MaterialGroup& group :
-       groups_by_material(solid, styled, mesh.textures ? LightInside::told : LightInside::left_out)) {
+  for (const MaterialGroup& group : groups_of(solid, styled, mesh.textures)) {
     Json primitive = {{"attributes", attributes}};
     primitive["indices"] = is_coded ? add_coded_triangles(document, group.triangle, styled.position.size())
                                     : add_triangles(document, group.triangle, styled.position.size());

@@ -84,7 +84,7 @@ void GlbStream::Writer::set_variants(std::size_t i, std::span<const TextureVaria
   variant_textures_.clear();
   for (const TextureVariant& variant : variants) {
     const BakedSolid& solid = variant.solids.at(i);
-    variant_textures_.push_back(materials_.add_texture(solid.solid.name + " " + variant.name, solid.texture));
+    variant_textures_.push_back(materials_.add_textures(solid, " " + variant.name).color);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "render/export/output.h"
 #include "render/export/pbr_material.h"
 #include "render/style/style_file.h"
+#include "render/texture/texture_pages.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/render/export/named_solids.h"
 #include "tests/render/export/read_glb.h"
@@ -533,6 +534,108 @@ TEST(Gltf, SaysWhereAFilmOfJuiceEnds) {
   box.mesh.part.push_back(rind);
   corner = static_cast<std::uint32_t>(box.mesh.position.size()) - 1;
   EXPECT_THAT(films(), ::testing::Contains("box thickness"));
+}
+
+/// The texel in the middle of a triangle.
+std::size_t texel_at_middle(const BakedSolid& solid, const glm::uvec3& t) {
+  const glm::vec2 uv = (solid.uv[t.x] + solid.uv[t.y] + solid.uv[t.z]) / 3.0f;
+  const int side = solid.texture.width;
+  return static_cast<std::size_t>(uv.y * static_cast<float>(side)) * static_cast<std::size_t>(side) +
+         static_cast<std::size_t>(uv.x * static_cast<float>(side));
+}
+
+TEST(Gltf, MapsTellTheLooksOfParts) {
+  const Scene scene = named::with_materials();
+  const Solid& box = scene.solids[0];
+  const BakedSolid made = baked(box, style_named("plain"), {.texels = 128, .maps = Maps::all, .looks = true});
+  int coated = 0, dull = 0, hairy = 0, lit = 0;
+  for (std::size_t t = 0; t < made.solid.mesh.triangle.size(); ++t) {
+    const glm::uvec3& corners = made.solid.mesh.triangle[t];
+    const MaterialSketch material = material_of(box, made.solid.mesh.part[corners.x]);
+    const PbrMaterial look = look_of(material, made.solid.mesh.cut_face[t] >= 0);
+    const std::size_t at = texel_at_middle(made, corners);
+    EXPECT_NEAR(made.maps.coat.image.pixels[at].r / 255.0, look.clearcoat, 0.003);
+    EXPECT_NEAR(made.maps.coat.image.pixels[at].g / 255.0, look.clearcoat_roughness, 0.003);
+    EXPECT_NEAR(made.maps.coat.opacity[at] / 255.0, look.specular, 0.003);
+    // Not 0 where there is none: three.js drew black there.
+    EXPECT_NEAR(made.maps.sheen.opacity[at] / 255.0, look.sheen_roughness > 0 ? look.sheen_roughness : 1, 0.003);
+    EXPECT_NEAR(static_cast<double>(from_srgb8(made.maps.sheen.image.pixels[at]).r), look.sheen[0], 0.01);
+    EXPECT_NEAR(made.maps.light.opacity[at] / 255.0, look.transmission, 0.003);
+    const double blue = static_cast<double>(from_srgb8(made.maps.light.image.pixels[at]).b);
+    EXPECT_NEAR(blue, look.transmission > 0 ? look.transmission_color[2] : 1, 0.01);
+    if (look.clearcoat > 0) ++coated;
+    if (look.specular < 1) ++dull;
+    if (look.sheen_roughness > 0) ++hairy;
+    if (look.transmission > 0) ++lit;
+  }
+  EXPECT_TRUE(coated > 0 && dull > 0 && hairy > 0 && lit > 0) << "something to tell apart";
+}
+
+TEST(Gltf, HasOneMaterialForAPieceWhoseMapsTellLooks) {
+  Scene scene = named::with_materials();
+  const auto written = [&] {
+    return parsed(write_glb(scene, std::vector{baked(scene.solids[0], style_named("plain"),
+                                                     {.texels = 64, .maps = Maps::all, .looks = true})}));
+  };
+  const Json glb = written();
+  ASSERT_EQ(glb["materials"].size(), 1u);
+  ASSERT_EQ(glb["meshes"][0]["primitives"].size(), 1u);
+  EXPECT_TRUE(glb["meshes"][0]["primitives"][0]["attributes"].contains("_PART")) << "parts stay known";
+  EXPECT_FALSE(glb.contains("extensionsRequired"));
+  const Json& material = glb["materials"][0];
+  EXPECT_EQ(material["name"], "box");
+  const auto name_at = [&](const char* slot) {
+    const Json::json_pointer pointer(std::string("/extensions/KHR_materials_") + slot + "/index");
+    return material.contains(pointer) ? glb["textures"][material[pointer].get<std::size_t>()]["name"].get<std::string>()
+                                      : std::string();
+  };
+  EXPECT_EQ(name_at("clearcoat/clearcoatTexture"), "box coat");
+  EXPECT_EQ(name_at("clearcoat/clearcoatRoughnessTexture"), "box coat");
+  EXPECT_EQ(name_at("specular/specularTexture"), "box coat");
+  EXPECT_EQ(name_at("sheen/sheenColorTexture"), "box sheen");
+  EXPECT_EQ(name_at("diffuse_transmission/diffuseTransmissionTexture"), "box light");
+
+  // What light goes straight through is drawn by itself.
+  const std::size_t triangles = scene.solids[0].mesh.triangle.size();
+  scene.solids[0].own_look().materials[1].transmission = 0.25;
+  const Json clear = written();
+  ASSERT_EQ(clear["materials"].size(), 2u);
+  EXPECT_EQ(clear["materials"][1]["name"], "box clear");
+  std::size_t corners = 0;
+  for (const Json& primitive : clear["meshes"][0]["primitives"])
+    corners += clear["accessors"][primitive["indices"].get<std::size_t>()]["count"].get<std::size_t>();
+  EXPECT_EQ(corners, 3 * triangles);
+}
+
+/// Pieces whose textures are on one page: a material, and a texture for each map, however many pieces.
+TEST(Gltf, HasOneMaterialForAllPiecesOfAPage) {
+  Scene scene;
+  std::vector<BakedSolid> alone;
+  for (const char* name : {"a", "b", "c"}) {
+    Solid solid = named::with_materials().solids[0];
+    solid.name = name;
+    solid.own_look().materials[1].wet = 0.5 * static_cast<double>(alone.size());
+    scene.instances.push_back({static_cast<int>(alone.size()), {}, name});
+    alone.push_back(baked(solid, style_named("plain"), {.texels = 64, .maps = Maps::all, .looks = true}));
+    scene.solids.push_back(std::move(solid));
+  }
+  const std::vector<const BakedSolid*> all{&alone[0], &alone[1], &alone[2]};
+  const std::vector<glm::ivec2> sizes(3, glm::ivec2(64));
+  const std::vector<BakedSolid> paged = on_pages(all, page_layout(sizes), "atlas");
+  const Json glb = parsed(write_glb(scene, paged));
+  EXPECT_EQ(glb["meshes"].size(), 3u);
+  for (const Json& mesh : glb["meshes"]) EXPECT_EQ(mesh["primitives"].size(), 1u);
+  ASSERT_EQ(glb["materials"].size(), 1u);
+  EXPECT_EQ(glb["materials"][0]["name"], "atlas");
+  std::vector<std::string> names;
+  for (const Json& texture : glb["textures"]) names.push_back(texture["name"]);
+  EXPECT_THAT(names, ElementsAre("atlas", "atlas normal", "atlas orm", "atlas coat", "atlas sheen", "atlas light"));
+  EXPECT_EQ(glb["images"].size(), 6u);
+
+  // Of another colour it is another page, at the same places.
+  const std::vector<TextureVariant> variants{{"ripeness 0", on_pages(all, page_layout(sizes), "atlas")}};
+  const Json with_variant = parsed(write_glb(scene, paged, {}, {}, variants));
+  EXPECT_EQ(with_variant["materials"].size(), 2u);
 }
 
 TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {
