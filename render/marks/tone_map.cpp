@@ -48,6 +48,8 @@ ToneMap tones_of(const Image& painted, const Color& paper, const ToneOptions& op
   }
   map.darkness = blurred(std::move(map.darkness), map.width, map.height, options.blur);
 
+  if (!options.stretched) return map;
+
   // Stretches from bare paper to the picture's darkest.
   const double max = std::max(quantile(map.darkness, options.bare, options.darkest), 2 * options.bare);
   for (float& dark : map.darkness) {

@@ -14,6 +14,7 @@ struct ToneOptions {
   double blur = 1;        ///< pixels: grain and speckles finer than this have no tone of their own
   double bare = 0.05;     ///< darkness that still counts as paper, for its grain and brown edges
   double darkest = 0.96;  ///< share of the pixels that are not paper and stay below full ink
+  bool stretched = true;  ///< if not, black alone is full ink
 };
 
 /// 0 = bare paper, 1 = full ink; by rows from the top left.

@@ -9,6 +9,7 @@
 #include "render/marks/blur.h"
 #include "render/marks/flow_field.h"
 #include "render/marks/hatching.h"
+#include "render/marks/solid_spots.h"
 #include "render/marks/stippling.h"
 #include "render/marks/tone_map.h"
 #include "render/picture/marks_on_picture.h"
@@ -150,6 +151,32 @@ TEST(Marks, CrossingLinesStandInTheDarkAlone) {
   };
   EXPECT_FALSE(crossing(0.5));
   EXPECT_TRUE(crossing(0.9));
+}
+
+/// Seeds are solid; what is large, or hardly darker than what is around, is left to the other marks.
+TEST(Marks, SmallDarkThingsAreFilled) {
+  const auto with_disc = [](double radius, double darkness) {
+    ToneMap tones = even(0.45);
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x)
+        if (std::hypot(x - 99.5, y - 99.5) < radius) tones.darkness[y * side + x] = static_cast<float>(darkness);
+    }
+    return tones;
+  };
+  const std::vector<Mark> marks = solid_spots(with_disc(7, 1), {.around = 24, .longest = 50});
+  InkLayer layer(side, side);
+  for (const Mark& mark : marks) layer.draw(stroke_of(mark));
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const double from_middle = std::hypot(x - 99.5, y - 99.5);
+      const double inked = layer.at(x, y);
+      EXPECT_TRUE(from_middle >= 6 || inked > 0.9) << x << " " << y << " " << inked;
+      EXPECT_TRUE(from_middle <= 9 || inked < 0.01) << x << " " << y << " " << inked;
+    }
+  }
+  EXPECT_TRUE(solid_spots(with_disc(40, 1), {.around = 24, .longest = 50}).empty());
+  EXPECT_TRUE(solid_spots(with_disc(7, 0.55), {.around = 24, .longest = 50}).empty());
+  EXPECT_TRUE(solid_spots(even(1), {.around = 24, .longest = 50}).empty());
 }
 
 TEST(Marks, PaleFruitIsDrawnWithAsMuchContrastAsDarkFruit) {
