@@ -121,13 +121,15 @@ def show(tree, only):
         print(f"{name}: {'passes' if well else 'FAILS ' + first} without a fault, {seconds:.1f} s", flush=True)
     rows = kept()
     for number, fault in asked.items():
-        seen = ""
-        for name in fault["tests"]:
-            if sound[name][0]:
-                well, _, first = passes(tests[name], number)
-                if not well:
-                    seen = f"{name} {first}".strip()
-                    break
+        seen, sound_ones = "", [name for name in fault["tests"] if sound[name][0]]
+        if not sound_ones:
+            print(f"{number}\tnot asked: its tests fail without a fault\t{fault['file']}: {fault['kind']}", flush=True)
+            continue
+        for name in sound_ones:
+            well, _, first = passes(tests[name], number)
+            if not well:
+                seen = f"{name} {first}".strip()
+                break
         rows[key_of(fault)] = [seen or "not seen"]
         print(f"{number}\t{seen or 'NOT SEEN'}\t{fault['file']}: {fault['kind']}", flush=True)
         write_shown(rows)

@@ -28,6 +28,11 @@ constexpr std::size_t crowd = 64;
 /// Angles that differ by less are one.
 constexpr double same_angle = 1e-6;
 
+bool at_one_angle(const EdgeLeaf& a, const EdgeLeaf& b) {
+  const double apart = std::fabs(b.angle - a.angle);
+  return std::min(apart, 2 * pi - apart) <= same_angle;
+}
+
 /// True if solid, as the triangles face, lies twice at some angle around the edge, or less than not at all.
 bool face_different_ways(const std::vector<EdgeLeaf>& leaves) {
   int now = 0, least = 0, most = 0;
@@ -37,6 +42,15 @@ bool face_different_ways(const std::vector<EdgeLeaf>& leaves) {
     most = std::max(most, now);
   }
   return now != 0 || most - least > 1;
+}
+
+/// True if two triangles at one place face the same way: solids that share a face would face it against each other.
+bool some_face_alike(const std::vector<EdgeLeaf>& leaves) {
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const EdgeLeaf &a = leaves[i], &b = leaves[(i + 1) % leaves.size()];
+    if (a.forward == b.forward && at_one_angle(a, b)) return true;
+  }
+  return false;
 }
 
 class TouchingSolids {
@@ -66,8 +80,8 @@ class TouchingSolids {
   }
 
  private:
-  /// A side of a patch, as its root faces: 0 to the front, 1 to the back.
-  using Solid = std::array<bool, 2>;
+  /// Just in front of a triangle, and just behind it.
+  using Windings = std::array<int, 2>;
 
   bool is_wrong(std::uint32_t triangle) { return wrong_[parts_.root(triangle)] != 0; }
 
@@ -90,16 +104,56 @@ class TouchingSolids {
       for (const HalfEdge& h : edge) parts_.join(edge.front().triangle, h.triangle);
     });
     wrong_.assign(triangles_.size(), 0);
-    std::vector<std::uint8_t> unclear(triangles_.size(), 0);
+    std::vector<std::uint8_t> unclear(triangles_.size(), 0), alike(triangles_.size(), 0);
     for_each_edge(half_edges_, [&](std::span<const HalfEdge> edge) {
       const std::uint32_t part = parts_.root(edge.front().triangle);
       if (edge.size() % 2 != 0 || edge.size() > crowd) unclear[part] = 1;
-      if (edge.size() <= 2 || unclear[part] != 0 || wrong_[part] != 0) return;
-      if (face_different_ways(leaves_around(edge, triangles_, surfaces_.position))) wrong_[part] = 1;
+      if (edge.size() <= 2 || unclear[part] != 0 || alike[part] != 0) return;
+      const std::vector<EdgeLeaf> leaves = leaves_around(edge, triangles_, surfaces_.position);
+      if (some_face_alike(leaves)) alike[part] = 1;
+      if (face_different_ways(leaves)) wrong_[part] = 1;
     });
     for (std::size_t i = 0; i < wrong_.size(); ++i)
       if (unclear[i] != 0) wrong_[i] = 0;
+    find_space();
+
+    // Solids that face outwards and cross each other are no fault: nowhere is less than nothing.
+    std::vector<std::uint8_t> negative(triangles_.size(), 0);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      const std::uint32_t part = parts_.root(t);
+      if (wrong_[part] == 0 || alike[part] != 0 || negative[part] != 0) continue;
+      const std::optional<Windings> windings = windings_beside(t);
+      if (windings && std::min((*windings)[0], (*windings)[1]) < 0) negative[part] = 1;
+    }
+    for (std::size_t i = 0; i < wrong_.size(); ++i)
+      if (alike[i] == 0 && negative[i] == 0) wrong_[i] = 0;
     return std::any_of(wrong_.begin(), wrong_.end(), [](std::uint8_t wrong) { return wrong != 0; });
+  }
+
+  void find_space() {
+    std::vector<Enclosures::Triangle> walls;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (is_wrong(t) && !is_collapsed(triangles_[t]))
+        walls.push_back({.corner = {corner(t, 0), corner(t, 1), corner(t, 2)}, .mesh = parts_.root(t)});
+    }
+    space_ = Enclosures(std::move(walls));
+  }
+
+  /// How often the triangle's part winds around the places beside it; nothing for one without area.
+  std::optional<Windings> windings_beside(std::uint32_t triangle) {
+    const glm::dvec3 a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    const double twice = glm::length(area);
+    if (!(twice > 0)) return std::nullopt;
+    constexpr double depth = 1e-4;  // as a share of the triangle's size
+    const glm::dvec3 step = depth * area / std::sqrt(twice);
+    const auto winding = [&](const glm::dvec3& place) {
+      for (const auto& [part, times] : space_.around(place))
+        if (part == parts_.root(triangle)) return times;
+      return 0;
+    };
+    const glm::dvec3 middle = (a + b + c) / 3.0;
+    return Windings{winding(middle + step), winding(middle - step)};
   }
 
   // ---- Patches: triangles that surely face alike ----
@@ -138,29 +192,25 @@ class TouchingSolids {
 
   void decide_by_places() {
     std::vector<std::vector<std::uint32_t>> members(triangles_.size());
-    std::vector<Enclosures::Triangle> walls;
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-      if (!is_wrong(t) || is_collapsed(triangles_[t])) continue;
-      members[patches_.root(t).root].push_back(t);
-      walls.push_back({.corner = {corner(t, 0), corner(t, 1), corner(t, 2)}, .mesh = parts_.root(t)});
-    }
-    const Enclosures space(std::move(walls));
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      if (is_wrong(t) && !is_collapsed(triangles_[t])) members[patches_.root(t).root].push_back(t);
     for (std::size_t root = 0; root < members.size(); ++root)
-      if (!members[root].empty()) decided_[root] = turn_of_patch(members[root], space);
+      if (!members[root].empty()) decided_[root] = turn_of_patch(members[root]);
   }
 
   /// Whether the patch turns; nothing if solid lies on both its sides or on neither, or if it crosses others.
-  std::optional<std::uint8_t> turn_of_patch(const std::vector<std::uint32_t>& patch, const Enclosures& space) {
+  std::optional<std::uint8_t> turn_of_patch(const std::vector<std::uint32_t>& patch) {
     std::array<std::size_t, 2> votes{0, 0};  // to stay, to turn
     std::size_t between_solids = 0;
     const std::size_t samples = std::min<std::size_t>(16, patch.size());
     for (std::size_t k = 0; k < samples; ++k) {
       const std::uint32_t t = patch[k * patch.size() / samples];
-      const std::optional<Solid> solid = solid_beside(t, space);
-      if (!solid) continue;
-      if ((*solid)[0] != (*solid)[1])
-        ++votes[static_cast<std::size_t>((*solid)[0] ? 1 : 0)];
-      else if ((*solid)[0])
+      const std::optional<Windings> windings = windings_beside(t);
+      if (!windings) continue;
+      const bool in_front = (*windings)[0] % 2 != 0, behind = (*windings)[1] % 2 != 0;
+      if (in_front != behind)
+        ++votes[in_front != (patches_.root(t).turned != 0) ? 1 : 0];
+      else if (in_front)
         ++between_solids;
     }
     const std::size_t all = votes[0] + votes[1];
@@ -168,23 +218,6 @@ class TouchingSolids {
     if (4 * votes[0] >= 3 * all) return std::uint8_t{0};
     if (4 * votes[1] >= 3 * all) return std::uint8_t{1};
     return std::nullopt;
-  }
-
-  /// Just in front of the triangle and just behind it, as its patch's root faces; nothing for one without area.
-  std::optional<Solid> solid_beside(std::uint32_t triangle, const Enclosures& space) {
-    const glm::dvec3 a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
-    const glm::dvec3 area = glm::cross(b - a, c - a);
-    const double twice = glm::length(area);
-    if (!(twice > 0)) return std::nullopt;
-    constexpr double depth = 1e-4;  // as a share of the triangle's size
-    const glm::dvec3 step = (patches_.root(triangle).turned != 0 ? -depth : depth) * area / std::sqrt(twice);
-    const auto is_solid = [&](const glm::dvec3& place) {
-      for (const auto& [part, times] : space.around(place))
-        if (part == parts_.root(triangle)) return times % 2 != 0;
-      return false;
-    };
-    const glm::dvec3 middle = (a + b + c) / 3.0;
-    return Solid{is_solid(middle + step), is_solid(middle - step)};
   }
 
   /// A closed patch among others on all its sides is a solid by itself; nothing if it is not closed.
@@ -232,8 +265,7 @@ class TouchingSolids {
   void join_partners(const std::vector<EdgeLeaf>& leaves, TurnedSets& partners) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       const EdgeLeaf &a = leaves[i], &b = leaves[(i + 1) % leaves.size()];
-      const double apart = std::fabs(b.angle - a.angle);
-      if (std::min(apart, 2 * pi - apart) > same_angle) continue;
+      if (!at_one_angle(a, b)) continue;
       const TurnedSets::Root x = patches_.root(a.triangle), y = patches_.root(b.triangle);
       if (x.root == y.root || (decided_[x.root] && decided_[y.root])) continue;
       partners.join(x.root, y.root, ((a.forward == b.forward) != (x.turned != y.turned)));
@@ -270,6 +302,7 @@ class TouchingSolids {
   std::span<const glm::uvec3> triangles_;
   std::vector<HalfEdge> half_edges_;
   DisjointSets parts_;
+  Enclosures space_{{}};             ///< of parts that may be wrong
   std::vector<std::uint8_t> wrong_;  ///< per root of a part: solids in it face different ways
   TurnedSets patches_;
   std::vector<std::optional<std::uint8_t>> decided_;  ///< per root of a patch: whether the root turns

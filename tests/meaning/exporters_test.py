@@ -94,6 +94,16 @@ class Exporters(Program):
                 a, b, c = (corner[0] for corner in triangle)
                 self.assertLess(length(sub(unit(cross(sub(b, a), sub(c, a))), triangle[0][1])), 1e-4)
 
+    def test_parts_of_two_templates_keep_their_names(self):
+        """A file counts the parts of all its templates; each piece counts those of its own."""
+        for name, words in (("toml", boxes.TEMPLATE), ("ply", boxes.surface_file())):
+            for old, new in (("box", "nut"), ("skin", "shell"), ("flesh", "kernel")):
+                words = words.replace(old, new)
+            (self.path / f"nut.{name}").write_text(words)
+        self.scene("".join(f'[[pieces]]\nname = "{name}"\ntemplate = "{name}.toml"\n' for name in ("box", "nut")))
+        self.pomona("scene", "s.toml", "-o", "a.ply")
+        self.assertEqual([set(placed.parts) for placed in read_ply(self.path / "a.ply")], [{"skin"}, {"shell"}])
+
     def test_a_layout_says_where_things_lie(self):
         (self.path / "s.toml").write_text('format = 1\nname = "s"\nstyle = "plain"\nseed = 3\n' + ENTRIES)
         self.pomona("scene", "s.toml", "-o", "layout.json", "-o", "a.obj")

@@ -267,6 +267,33 @@ TEST(Orientation, TetrahedraFillTheirBlockWhicheverWayEachFaces) {
   }
 }
 
+/// Two wedges that share an edge, and cross behind it: one is not the other's hollow.
+TEST(Orientation, WhatSharesAnEdgeAndCrossesIsUnited) {
+  const auto wedge = [](double from_x, double from_y, double to_x, double to_y) {
+    std::string text;
+    const double corner[3][2] = {{0, 0}, {from_x, from_y}, {to_x, to_y}};
+    for (const int z : {0, 1})
+      for (const auto& c : corner)
+        text += "v " + std::to_string(c[0]) + " " + std::to_string(c[1]) + " " + std::to_string(z) + "\n";
+    return text;
+  };
+  const std::string both = wedge(2, 0, 0, 2) + wedge(2, 2, -2, 2);
+  std::string faces;
+  for (const int first : {1, 7}) {
+    for (const auto& f : {std::array{0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}) {
+      faces += "f";
+      for (const int v : f)
+        if (v >= 0) faces += " " + std::to_string(first + v);
+      faces += "\n";
+    }
+  }
+  const DiffusionSurfaces surfaces = sweep(fruit_of({both + faces}));
+  for (const Bodies::Body& body : find_bodies(surfaces).bodies) EXPECT_GT(body.volume, 0);
+  double volume = 0;
+  for (const Bodies::Body& body : find_bodies(surfaces).bodies) volume += body.volume;
+  EXPECT_NEAR(volume, 2 + 4, 1e-6) << "one 2, the other 4; a cut unites them";
+}
+
 TEST(Orientation, SharedFacesMayBeTriangulatedInTwoWays) {
   for (const Vertices vertices : {Vertices::of_each_cube, Vertices::of_each_face}) {
     for (int inwards = 0; inwards < 4; ++inwards) {
