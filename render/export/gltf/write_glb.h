@@ -26,8 +26,9 @@ std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, co
                       std::span<const std::vector<Solid>> levels = {});
 
 /// The same with the colours in textures: `baked` has one entry per solid of the scene. TEXCOORD_0 replaces COLOR_0,
-/// and every solid has materials of its own. \param variants for KHR_materials_variants; viewers without it show
-/// `baked`. \throws Error (bug) if a variant has another atlas than its solid.
+/// and every solid has materials of its own, one where its maps tell looks; those on a page share them. \param variants
+/// for KHR_materials_variants; viewers without it show `baked`. \throws Error (bug) if a variant has another atlas than
+/// its solid.
 std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options = {},
                       std::span<const std::vector<BakedSolid>> levels = {},
                       std::span<const TextureVariant> variants = {});
