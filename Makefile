@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures .npm build test python test-python blender-addon test-blender test-programs test-rest golden-renew golden-mutants mutants semantic-faults verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures .npm build test python test-python blender-addon test-blender test-programs test-rest golden-renew golden-mutants mutants semantic-faults verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road speed cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -168,6 +168,10 @@ unseen: build .bench ## 200 seeds of every template that nobody has chosen, halv
 road: .bench ## a new variant of every template, halved, to the bytes of its .glb: time by stage, and memory, on one thread
 	cmake --build build --target road -j $(JOBS)
 	build/bench/road
+
+speed: .bench ## what docs/reports/speed.md aims at, beside what this machine takes: a line for each aim; ROW="levels road"
+	cmake --build build --target pomona road -j $(JOBS)
+	scripts/measure_speed.py build/pomona build/bench/road $(ROW)
 
 cuts: .bench ## 112 000 random and degenerate cuts of all templates, planes, strokes and closed knives, and 20 000 of turned blocks along their faces: out/cuts.md and .json; stop it and it goes on later
 	cmake --build build --target cuts -j $(JOBS)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -24,14 +25,10 @@ class FilesBehind {
   /// Follows a word of the command line, or a text in a TOML file of `folder`.
   void add_word(const std::string& word, const fs::path& folder) {
     if (word.empty() || word.size() > longest_word || found_.size() > max_files) return;
+    if (!followed_.emplace(folder, word).second) return;
     add_file(folder / word);
-    for (const char* kind : {"templates", "scenes", "styles"}) {
-      try {
-        add_file(find_file(kind, word));
-      } catch (const Error&) {
-        // Most words name no file.
-      }
-    }
+    for (const char* kind : {"templates", "scenes", "styles"})
+      if (const std::optional<fs::path> file = file_of(kind, word)) add_file(*file);
   }
   std::set<fs::path> take() { return std::move(found_); }
 
@@ -53,6 +50,7 @@ class FilesBehind {
   }
 
   std::set<fs::path> found_;
+  std::set<std::pair<fs::path, std::string>> followed_;  // folders, and words in their files
 };
 
 }  // namespace

@@ -63,15 +63,23 @@ fs::path existing_file(const std::string& path) {
   return path;
 }
 
-fs::path find_file(const std::string& kind, const std::string& name_or_path, const std::string& called) {
-  if (is_path(name_or_path)) return existing_file(name_or_path);
+std::optional<fs::path> file_of(const std::string& kind, const std::string& name_or_path) {
   std::error_code ignored;
-  for (const fs::path& folder : searched_folders(kind)) {
-    const fs::path file = folder / (name_or_path + ".toml");
+  if (is_path(name_or_path))
+    return why_no_file(name_or_path).empty() ? std::optional<fs::path>(name_or_path) : std::nullopt;
+  for (const fs::path& folder : candidates(kind)) {
+    fs::path file = folder / (name_or_path + ".toml");
     if (fs::is_regular_file(file, ignored)) return file;
   }
+  return std::nullopt;
+}
+
+fs::path find_file(const std::string& kind, const std::string& name_or_path, const std::string& called) {
+  if (const std::optional<fs::path> file = file_of(kind, name_or_path)) return *file;
+  if (is_path(name_or_path)) return existing_file(name_or_path);
 
   // The name is unknown; report a file or folder of this name in the current folder.
+  std::error_code ignored;
   if (fs::exists(name_or_path, ignored)) {
     const fs::path file = existing_file(name_or_path);
     throw Error(ExitStatus::bad_data,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ std::vector<std::filesystem::path> own_files(const std::string& kind);
 /// The path itself.
 /// \throws Error (input_missing) if there is no such file.
 std::filesystem::path existing_file(const std::string& path);
+
+/// The file that find_file() finds, if there is one. Quick for words that name none: most texts of a template do not.
+std::optional<std::filesystem::path> file_of(const std::string& kind, const std::string& name_or_path);
 
 /// The file behind a name ("tomato" is tomato.toml in searched_folders(kind)), or behind a path (it has a slash, or
 /// ends in .toml or .ply).

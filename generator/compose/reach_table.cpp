@@ -77,23 +77,36 @@ ReachTable::ReachTable(const DiffusionSurfaces& surfaces, std::int32_t skin, con
 }
 
 void ReachTable::add(const std::array<glm::dvec3, 3>& corner, int face) {
+  // Most triangles lie wholly beyond one of the planes through the heart that bound the face, or behind the heart.
+  const std::array<glm::dvec3, 3> seen{on_face(corner[0], face), on_face(corner[1], face), on_face(corner[2], face)};
+  constexpr double rim = 1.001;  // a little more than the face, for rounding
+  const auto all = [&](const auto& holds) { return std::all_of(seen.begin(), seen.end(), holds); };
+  if (all([](const glm::dvec3& p) { return p.z <= 0; })) return;
+  for (const int axis : {0, 1}) {
+    if (all([&](const glm::dvec3& p) { return p[axis] > rim * p.z; })) return;
+    if (all([&](const glm::dvec3& p) { return -p[axis] > rim * p.z; })) return;
+  }
+
   // The nodes behind the triangle's box on the face; all of them where it reaches beyond the face's half of space.
   glm::dvec2 low(2), high(-2);
   int behind = 0;
-  for (const glm::dvec3& p : corner) {
-    const glm::dvec3 seen = on_face(p, face);
-    if (!(seen.z > 1e-3 * glm::length(seen))) {
+  for (const glm::dvec3& p : seen) {
+    if (!(p.z > 1e-3 * glm::length(p))) {
       ++behind;
       continue;
     }
-    low = glm::min(low, glm::dvec2(seen) / seen.z);
-    high = glm::max(high, glm::dvec2(seen) / seen.z);
+    low = glm::min(low, glm::dvec2(p) / p.z);
+    high = glm::max(high, glm::dvec2(p) / p.z);
   }
   if (behind == 3) return;
   if (behind > 0) low = glm::dvec2(-1), high = glm::dvec2(1);
   if (low.x > 1 || low.y > 1 || high.x < -1 || high.y < -1) return;
-  const auto first = [](double v) { return std::max(0, static_cast<int>(std::floor((v + 1) * 0.5 * cells))); };
-  const auto last = [](double v) { return std::min(cells, static_cast<int>(std::ceil((v + 1) * 0.5 * cells))); };
+  // A little beside the box for rounding: most triangles are smaller than a cell, and lie between nodes.
+  constexpr double slack = 1e-3;  // cells
+  const auto first = [](double v) { return std::max(0, static_cast<int>(std::ceil((v + 1) * 0.5 * cells - slack))); };
+  const auto last = [](double v) {
+    return std::min(cells, static_cast<int>(std::floor((v + 1) * 0.5 * cells + slack)));
+  };
   for (int j = first(low.y); j <= last(high.y); ++j) {
     for (int i = first(low.x); i <= last(high.x); ++i) {
       const glm::dvec3 d = glm::normalize(direction_at(face, 2.0 * i / cells - 1, 2.0 * j / cells - 1));

@@ -54,16 +54,17 @@ class RayLattice {
   void pass(const std::array<glm::dvec3, 3>& corner, std::int32_t what) {
     const auto low = [&](int k) { return std::min({corner[0][k], corner[1][k], corner[2][k]}); };
     const auto high = [&](int k) { return std::max({corner[0][k], corner[1][k], corner[2][k]}); };
+    // Only rays through the triangle's box, and a little beside it for rounding: most triangles are smaller than a
+    // step.
+    constexpr double slack = 1e-6;  // steps
     const auto first = [&](double v, double from) {
-      return static_cast<std::int64_t>(std::ceil((v - from) / step_ - 0.5));
+      return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil((v - from) / step_ - 0.5 - slack)));
     };
-    const auto last = [&](double v, double from) {
-      return static_cast<std::int64_t>(std::floor((v - from) / step_ - 0.5));
+    const auto last = [&](double v, double from, std::int64_t count) {
+      return std::min(count - 1, static_cast<std::int64_t>(std::floor((v - from) / step_ - 0.5 + slack)));
     };
-    const std::int64_t top = std::max<std::int64_t>(0, first(low(1), low_.y) - 1),
-                       bottom = std::min(rows_ - 1, last(high(1), low_.y) + 1),
-                       left = std::max<std::int64_t>(0, first(low(0), low_.x) - 1),
-                       right = std::min(columns_ - 1, last(high(0), low_.x) + 1);
+    const std::int64_t top = first(low(1), low_.y), bottom = last(high(1), low_.y, rows_), left = first(low(0), low_.x),
+                       right = last(high(0), low_.x, columns_);
     for (std::int64_t y = top; y <= bottom; ++y) {
       for (std::int64_t x = left; x <= right; ++x) {
         const auto ray = static_cast<std::uint32_t>(y * columns_ + x);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -35,22 +36,31 @@ double ring_noise(const glm::dvec2& radius_height, double turn, int level, std::
 /// No footprint in use needs more cells around the axis.
 constexpr int finest_ring = 16;
 
-double cylinder_noise(const glm::dvec3& stretch, const glm::dvec3& position, double frequency, std::uint32_t seed) {
-  const double radius = std::sqrt(position.x * position.x + position.z * position.z);
-  const double turn = reproducible::atan2(-position.z, position.x) / (2.0 * pi);
-  const glm::dvec2 radius_height(radius * frequency * stretch.x + band_offset,
-                                 position.y * frequency * stretch.y + band_offset);
+/// A position in the cylinder's coordinates.
+struct CylinderPlace {
+  double radius = 0, height = 0;  ///< metres
+  double turn = 0;                ///< azimuth, in turns
+};
+
+CylinderPlace cylinder_place(const glm::dvec3& position) {
+  return {std::sqrt(position.x * position.x + position.z * position.z), position.y,
+          reproducible::atan2(-position.z, position.x) / (2.0 * pi)};
+}
+
+double cylinder_noise(const glm::dvec3& stretch, const CylinderPlace& at, double frequency, std::uint32_t seed) {
+  const glm::dvec2 radius_height(at.radius * frequency * stretch.x + band_offset,
+                                 at.height * frequency * stretch.y + band_offset);
 
   // Finds the two rings: level is log2 of the wanted number of cells, linear between powers of two.
-  const double cells = std::clamp(2.0 * pi * radius * frequency * stretch.z, 2.0, std::ldexp(1.0, finest_ring - 1));
+  const double cells = std::clamp(2.0 * pi * at.radius * frequency * stretch.z, 2.0, std::ldexp(1.0, finest_ring - 1));
   int exponent = 0;
   const double mantissa = std::frexp(cells, &exponent);  // cells = mantissa 2^exponent, mantissa in [1/2, 1)
   const int level = exponent - 1;
   const double share = smoothstep(0.0, 1.0, 2.0 * mantissa - 1.0);
 
   // The two noises are not correlated; scale them so that the variance stays through the cross-fade.
-  const double inner = ring_noise(radius_height, turn, level, seed);
-  const double outer = ring_noise(radius_height, turn, level + 1, seed);
+  const double inner = ring_noise(radius_height, at.turn, level, seed);
+  const double outer = ring_noise(radius_height, at.turn, level + 1, seed);
   const double norm = std::sqrt(share * share + (1.0 - share) * (1.0 - share));
   return std::clamp(mix(inner, outer, share) / norm, -1.0, 1.0);
 }
@@ -59,13 +69,29 @@ bool is_isotropic(const glm::dvec3& stretch) { return stretch.x == 1 && stretch.
 
 double frequency_of(const NoiseStyle& style, int band) { return style.base_frequency * (1 << band); }
 
+/// The noise of all bands at one position. The azimuth is worked out once, when the first band needs it.
+class NoiseAt {
+ public:
+  NoiseAt(const NoiseStyle& style, const glm::dvec3& position) : style_(style), position_(position) {}
+
+  double operator()(int band) {
+    const double frequency = frequency_of(style_, band);
+    const std::uint32_t seed = style_.pattern + static_cast<std::uint32_t>(band);
+    if (is_isotropic(style_.stretch)) return gradient_noise(position_ * frequency + band_offset * (band + 1), seed);
+    if (!around_) around_ = cylinder_place(position_);
+    return cylinder_noise(style_.stretch, *around_, frequency, seed);
+  }
+
+ private:
+  const NoiseStyle& style_;
+  glm::dvec3 position_;
+  std::optional<CylinderPlace> around_;
+};
+
 }  // namespace
 
 double band_noise(const NoiseStyle& style, const glm::dvec3& position, int band) {
-  const double frequency = frequency_of(style, band);
-  const std::uint32_t seed = style.pattern + static_cast<std::uint32_t>(band);
-  if (!is_isotropic(style.stretch)) return cylinder_noise(style.stretch, position, frequency, seed);
-  return gradient_noise(position * frequency + band_offset * (band + 1), seed);
+  return NoiseAt(style, position)(band);
 }
 
 Modulation::Modulation(const NoiseStyle& style) : style_(style) {
@@ -96,13 +122,14 @@ Color Modulation::operator()(const Color& color, const glm::dvec3& position, dou
 
   // Sum the bands that the footprint can show, each with the weight this colour gives it.
   const double steepest = std::max({style_.stretch.x, style_.stretch.y, style_.stretch.z});
+  NoiseAt noise(style_, position);
   double amount = 0;
   for (int b = 0; b < bands_; ++b) {
     double weight = 0;
     for (std::size_t k = 0; k < keys_.size(); ++k) weight += share[k] * keys_[k].weights[b];
     const double shown = 1.0 - smoothstep(0.25, 0.5, frequency_of(style_, b) * steepest * footprint);
     if (weight == 0 || shown == 0) continue;
-    amount += weight / total * shown * band_noise(style_, position, b);
+    amount += weight / total * shown * noise(b);
   }
   if (amount == 0) return color;
 

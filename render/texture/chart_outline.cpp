@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -88,22 +89,27 @@ void mark_line(BlockMask& mask, const glm::dvec2& p, const glm::dvec2& q) {
 
 /// Marks the cells whose middles lie within closed lines.
 void mark_within(BlockMask& mask, std::span<const std::array<glm::dvec2, 2>> lines) {
-  std::vector<std::vector<double>> crossings(static_cast<std::size_t>(mask.height));
+  std::vector<std::pair<int, double>> crossings;  // row, place in it
   for (const auto& [p, q] : lines) {
     const glm::dvec2 &upper = p.y <= q.y ? p : q, &lower = p.y <= q.y ? q : p;
     const int first = std::max(0, static_cast<int>(std::ceil(upper.y - 0.5)));
     for (int y = first; y < mask.height && y + 0.5 < lower.y; ++y) {
       const double share = (y + 0.5 - upper.y) / (lower.y - upper.y);
-      crossings[static_cast<std::size_t>(y)].push_back(upper.x + share * (lower.x - upper.x));
+      crossings.emplace_back(y, upper.x + share * (lower.x - upper.x));
     }
   }
-  for (int y = 0; y < mask.height; ++y) {
-    std::vector<double>& row = crossings[static_cast<std::size_t>(y)];
-    std::sort(row.begin(), row.end());
-    for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
-      const int left = std::max(0, static_cast<int>(std::ceil(row[i] - 0.5)));
-      for (int x = left; x < mask.width && x + 0.5 < row[i + 1]; ++x) mask.set(x, y);
+  // Two by two in each row; rounding may leave one alone.
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t i = 0; i + 1 < crossings.size();) {
+    const auto& [y, begin] = crossings[i];
+    const auto& [y_of_end, end] = crossings[i + 1];
+    if (y_of_end != y) {
+      ++i;
+      continue;
     }
+    const int left = std::max(0, static_cast<int>(std::ceil(begin - 0.5)));
+    for (int x = left; x < mask.width && x + 0.5 < end; ++x) mask.set(x, y);
+    i += 2;
   }
 }
 

@@ -21,15 +21,15 @@ namespace pomona {
 
 namespace {
 
-/// A row of blocks as bits.
-using BitRow = std::vector<std::uint64_t>;
+/// Rows of blocks are bits of words.
+using Word = std::uint64_t;
 
-/// ORs the row, shifted down by `shift` bits, into `to`. Bits beyond its end are 0.
-void or_moved(BitRow& to, const BitRow& row, int shift) {
-  const std::size_t words = row.size(), skip = static_cast<std::size_t>(shift / 64);
+/// ORs a row of `words`, shifted down by `shift` bits, into `to`. Bits beyond its end are 0.
+void or_moved(Word* to, const Word* row, std::size_t words, int shift) {
+  const auto skip = static_cast<std::size_t>(shift / 64);
   const int bits = shift % 64;
   for (std::size_t w = 0; w + skip < words; ++w) {
-    std::uint64_t word = row[w + skip] >> bits;
+    Word word = row[w + skip] >> bits;
     if (bits != 0 && w + skip + 1 < words) word |= row[w + skip + 1] << (64 - bits);
     to[w] |= word;
   }
@@ -77,55 +77,86 @@ class Kinds {
 class Field {
  public:
   Field(const glm::ivec2& blocks, std::size_t kinds)
-      : blocks_(blocks), words_(static_cast<std::size_t>(blocks.x + 63) / 64), first_row_(kinds, 0) {
-    const auto levels = static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(blocks.x)));
-    rows_.assign(static_cast<std::size_t>(blocks.y), std::vector<BitRow>(levels, BitRow(words_, 0)));
-  }
+      : blocks_(blocks),
+        words_(static_cast<std::size_t>(blocks.x + 63) / 64),
+        levels_(static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(blocks.x)))),
+        rows_(static_cast<std::size_t>(blocks.y) * levels_ * words_, 0),
+        blocked_(words_, 0),
+        first_row_(kinds, 0) {}
 
   /// The first free place for the shape, row by row and before row `end`. Blocks are never freed, so shapes of its kind
   /// need not be tried in earlier rows again.
   std::optional<glm::ivec2> place(const Shape& shape, double end) {
-    BitRow blocked(words_);
     const int last = blocks_.x - shape.mask.width;
     int& y = first_row_[shape.kind];
     for (; y < end && y + shape.mask.height <= blocks_.y && last >= 0; ++y) {
-      std::fill(blocked.begin(), blocked.end(), 0);
-      for (const BlockRun& run : shape.runs) {
-        const std::vector<BitRow>& row = rows_[static_cast<std::size_t>(y + run.row)];
-        const int level = std::bit_width(static_cast<unsigned>(run.length)) - 1;
-        or_moved(blocked, row[static_cast<std::size_t>(level)], run.begin);
-        or_moved(blocked, row[static_cast<std::size_t>(level)], run.begin + run.length - (1 << level));
-        looks_ += 2 * words_;
-      }
-      for (int x = 0; x <= last; ++x) {
-        const std::uint64_t rest = blocked[static_cast<std::size_t>(x) / 64] >> (x % 64);
-        const int taken = std::countr_one(rest);
-        if (taken == 0) return glm::ivec2(x, y);
-        x += std::min(taken, 64 - x % 64) - 1;
-      }
+      looks_ += 2 * words_ * shape.runs.size();
+      const std::optional<int> x = words_ == 1 ? first_free_in_word(shape, y, last) : first_free(shape, y, last);
+      if (x) return glm::ivec2(*x, y);
     }
     return std::nullopt;
   }
 
   void take(const Shape& shape, const glm::ivec2& at) {
     for (const BlockRun& run : shape.runs) {
-      std::vector<BitRow>& row = rows_[static_cast<std::size_t>(at.y + run.row)];
+      Word* const row = &rows_[place_of(at.y + run.row, 0)];
       for (int x = at.x + run.begin; x < at.x + run.begin + run.length; ++x)
-        row[0][static_cast<std::size_t>(x) / 64] |= std::uint64_t{1} << (x % 64);
-      for (std::size_t level = 1; level < row.size(); ++level) {
-        row[level] = row[level - 1];
-        or_moved(row[level], row[level - 1], 1 << (level - 1));
+        row[static_cast<std::size_t>(x) / 64] |= Word{1} << (x % 64);
+      for (std::size_t level = 1; level < levels_; ++level) {
+        Word* const wider = row + level * words_;
+        std::copy_n(wider - words_, words_, wider);
+        or_moved(wider, wider - words_, words_, 1 << (level - 1));
       }
     }
   }
 
-  std::size_t looks() const { return looks_; }  ///< the work so far: number of words that were read
+  std::size_t looks() const { return looks_; }  ///< the work so far: words of the rows that were tried
 
  private:
+  std::size_t place_of(int row, std::size_t level) const {
+    return (static_cast<std::size_t>(row) * levels_ + level) * words_;
+  }
+  /// A row that marks 2^k blocks at once: the run is free where those from its begin and those up to its end are.
+  struct Cover {
+    const Word* row;
+    int second;  ///< where the last 2^k blocks begin
+  };
+  Cover cover_of(const BlockRun& run, int y) const {
+    const int level = std::bit_width(static_cast<unsigned>(run.length)) - 1;
+    return {&rows_[place_of(y + run.row, static_cast<std::size_t>(level))], run.begin + run.length - (1 << level)};
+  }
+
+  std::optional<int> first_free(const Shape& shape, int y, int last) {
+    std::fill(blocked_.begin(), blocked_.end(), 0);
+    for (const BlockRun& run : shape.runs) {
+      const auto [row, second] = cover_of(run, y);
+      or_moved(blocked_.data(), row, words_, run.begin);
+      or_moved(blocked_.data(), row, words_, second);
+    }
+    for (int x = 0; x <= last; ++x) {
+      const int taken = std::countr_one(blocked_[static_cast<std::size_t>(x) / 64] >> (x % 64));
+      if (taken == 0) return x;
+      x += std::min(taken, 64 - x % 64) - 1;
+    }
+    return std::nullopt;
+  }
+
+  /// The same where a row is one word, as at 512 texels: nothing more is read once no place is left.
+  std::optional<int> first_free_in_word(const Shape& shape, int y, int last) const {
+    Word free = last >= 63 ? ~Word{0} : (Word{2} << last) - 1;
+    for (const BlockRun& run : shape.runs) {
+      const auto [row, second] = cover_of(run, y);
+      free &= ~(*row >> run.begin | *row >> second);
+      if (free == 0) return std::nullopt;
+    }
+    return std::countr_zero(free);
+  }
+
   glm::ivec2 blocks_;
-  std::size_t words_;
-  std::vector<std::vector<BitRow>> rows_;  // per row, per k
-  std::vector<int> first_row_;             // per kind: first row that may have a place for it
+  std::size_t words_, levels_;
+  std::vector<Word> rows_;      // per row, per k
+  std::vector<Word> blocked_;   // of the row that is tried
+  std::vector<int> first_row_;  // per kind: first row that may have a place for it
   std::size_t looks_ = 0;
 };
 

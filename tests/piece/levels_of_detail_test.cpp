@@ -186,29 +186,32 @@ void expect_hardly_more_to_be_turned(const Solid& solid, const Levels& levels) {
         << level.name;
 }
 
-void expect_the_same_again(const Solid& solid, const Levels& levels) {
-  const std::vector<Solid> solids{solid, solid};
-  for (const Levels& again : all_levels_of_detail(solids, {.levels = 3, .threads = {2}})) {
-    ASSERT_EQ(again.size(), levels.size());
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-      EXPECT_EQ(again[k].mesh.position, levels[k].mesh.position);
-      EXPECT_EQ(again[k].mesh.triangle, levels[k].mesh.triangle);
-    }
+void expect_the_same(const Levels& levels, const Levels& others) {
+  ASSERT_EQ(others.size(), levels.size());
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    EXPECT_EQ(others[k].mesh.position, levels[k].mesh.position);
+    EXPECT_EQ(others[k].mesh.triangle, levels[k].mesh.triangle);
   }
+}
+
+/// The levels of one solid, made twice on two threads.
+std::vector<Levels> made_twice(const Solid& solid) {
+  return all_levels_of_detail(std::vector<Solid>{solid, solid}, {.levels = 3, .threads = {2}});
 }
 
 class RealLevels : public testing::TestWithParam<RealPiece> {};
 
 TEST_P(RealLevels, HoldWhatIsPromised) {
   const Solid solid = piece_of(GetParam().fruit, GetParam().knife);
-  const Levels levels = levels_of_detail(solid, {.levels = 3});
+  const std::vector<Levels> twice = made_twice(solid);
+  const Levels& levels = twice.front();
   expect_as_few_as_asked_for(solid, levels, most_triangles(GetParam().fruit));
   expect_closed(solid, levels);
   expect_within_the_error(solid, levels, has_dark_outlines(GetParam().fruit) ? 6 : 4);
   expect_only_known_vertices(solid, levels);
   expect_cut_faces_to_face_as_they_did(levels);
   expect_hardly_more_to_be_turned(solid, levels);
-  expect_the_same_again(solid, levels);
+  expect_the_same(levels, twice.back());
 }
 
 /// Half of every template, and a whole fruit. Under a sanitizer only one piece, because each takes minutes and all use
@@ -239,6 +242,11 @@ std::uint64_t hash_of(const Levels& levels) {
 }
 
 Solid ball() { return solid_of(shapes::sphere(0.03, 24, shapes::skin_paint())); }
+
+TEST(LevelsOfDetail, AreTheSameAloneAndOnTwoThreads) {
+  const Levels alone = levels_of_detail(ball(), {.levels = 3});
+  for (const Levels& levels : made_twice(ball())) expect_the_same(alone, levels);
+}
 
 TEST(LevelsOfDetail, AreNamedAndKnowTheirVolume) {
   const std::vector<Solid> levels = levels_of_detail(ball(), {.levels = 2});
