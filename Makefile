@@ -128,13 +128,13 @@ clang: clang-bytes ## all of it compiled by clang, each source by itself, and th
 clang-bytes: build ## the program compiled by clang: does it write what gcc's writes, and both what is published?
 	@scripts/setup.sh build test clang
 	cmake --preset clang-bytes
-	cmake --build build-clang --target pomona -j $(JOBS)
+	cmake --build build-clang-bytes --target pomona -j $(JOBS)
 	@mkdir -p out && rm -f out/gcc.tsv out/clang.tsv
 	scripts/hashes.py make build/pomona out/gcc.tsv --only "tomato 7"
-	scripts/hashes.py make build-clang/pomona out/clang.tsv --only "tomato 7"
+	scripts/hashes.py make build-clang-bytes/pomona out/clang.tsv --only "tomato 7"
 	scripts/hashes.py compare out/gcc.tsv out/clang.tsv
 	build/pomona verify
-	build-clang/pomona verify
+	build-clang-bytes/pomona verify
 
 # One build for all measurements; each has its own target.
 .bench:
@@ -262,4 +262,4 @@ test-package: package ## installs the .deb in a bare Debian 12 in a folder, and 
 	ctest --test-dir build --output-on-failure -L package
 
 clean: ## removes what was built, keeps out/
-	rm -rf build build-sanitize build-clang build-fuzz
+	rm -rf build build-sanitize build-clang build-clang-bytes build-fuzz

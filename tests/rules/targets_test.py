@@ -39,7 +39,7 @@ class Targets(unittest.TestCase):
             for target in targets():
                 for command in commands_of(target, folder):
                     if preset := re.search(r"cmake --preset ([\w-]+)", command):
-                        needed = {"clang": "clang++", "python": "pybind11-config"}.get(preset.group(1))
+                        needed = {"clang-bytes": "clang++", "clang": "clang++", "python": "pybind11-config"}.get(preset.group(1))
                         if needed and not shutil.which(needed):
                             continue
                         if preset.group(1) != configured:

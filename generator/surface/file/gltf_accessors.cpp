@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t max_without_bytes = 5'000'000;  // rows that sparse values alone fill
 
 /// Where values lie, and of which type they are.
-struct Layout {
+struct ValueLayout {
   int view = 0;
   std::size_t offset = 0, count = 0;
   int type = 0, component = 0;
@@ -21,7 +21,7 @@ struct Layout {
 };
 
 /// The `count` values of a type in a view, from an offset on.
-AccessorBytes bytes_at(const tinygltf::Model& model, const Layout& layout, const GltfPlace& place) {
+AccessorBytes bytes_at(const tinygltf::Model& model, const ValueLayout& layout, const GltfPlace& place) {
   if (layout.view < 0 || static_cast<std::size_t>(layout.view) >= model.bufferViews.size())
     place.refuse("there are no bytes for it");
   const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(layout.view)];
@@ -49,7 +49,7 @@ AccessorBytes bytes_at(const tinygltf::Model& model, const Layout& layout, const
           .normalized = layout.normalized};
 }
 
-Layout layout_of(const tinygltf::Accessor& accessor) {
+ValueLayout layout_of(const tinygltf::Accessor& accessor) {
   return {.view = accessor.bufferView,
           .offset = accessor.byteOffset,
           .count = accessor.count,
@@ -82,15 +82,15 @@ std::vector<double> numbers_of(const AccessorBytes& bytes, std::size_t width, co
 void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor, AccessorTable& table,
                     const GltfPlace& place) {
   const auto& sparse = accessor.sparse;
-  Layout layout = layout_of(accessor);
+  ValueLayout layout = layout_of(accessor);
   layout.count = static_cast<std::size_t>(std::max(0, sparse.count));
   layout.view = sparse.values.bufferView;
   layout.offset = static_cast<std::size_t>(sparse.values.byteOffset);
-  const Layout indices{.view = sparse.indices.bufferView,
-                       .offset = static_cast<std::size_t>(sparse.indices.byteOffset),
-                       .count = layout.count,
-                       .type = TINYGLTF_TYPE_SCALAR,
-                       .component = sparse.indices.componentType};
+  const ValueLayout indices{.view = sparse.indices.bufferView,
+                            .offset = static_cast<std::size_t>(sparse.indices.byteOffset),
+                            .count = layout.count,
+                            .type = TINYGLTF_TYPE_SCALAR,
+                            .component = sparse.indices.componentType};
   const AccessorBytes at = bytes_at(model, indices, place);
   const std::vector<double> other = numbers_of(bytes_at(model, layout, place), table.width, place);
   double last = -1;
