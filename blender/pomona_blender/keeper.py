@@ -24,6 +24,7 @@ from .workshop import workshop
 # Seconds: how long a window may wait for an operator, how long a step of building takes at most, how long nothing has
 # changed until all is made as ordered, and how often we look. A step may be late by one mesh, some 0.1 s.
 PATIENCE, AT_ONCE, QUIET, OFTEN, SELDOM = 0.2, 0.04, 0.7, 0.03, 0.2
+SMALL = 4_000_000  # bytes of a model that becomes objects within an operator, some 0.1 s
 
 
 class Building:
@@ -79,12 +80,12 @@ class Keeper:
 
     @property
     def is_busy(self) -> bool:
-        return self._building is not None or bool(workshop().jobs) or bool(self._changed)
+        return self.look or self._building is not None or bool(workshop().jobs) or bool(self._changed)
 
     def make_now(self, root: Any, seconds: Optional[float]) -> bool:
         """Makes it as ordered, within this time if it goes; else work goes on, and the window too. None waits for the
         end. What is wrong is the root's message then."""
-        shop, began = workshop(), time.monotonic()
+        shop = workshop()
         if shop.door is None:
             return False
         root.pomona.message = ""
@@ -104,10 +105,11 @@ class Keeper:
             model, warnings = job.model, job.warnings
             shop.keep(order, model)
         building = Building(root, order, model, warnings)
-        if not building.go_on(None if seconds is None else seconds - (time.monotonic() - began)):
+        if seconds is not None and model.size > SMALL:
+            # The operator's step of undo keeps what is there now: the old pieces, never some of both.
             self._building = building
             return False
-        return True
+        return building.go_on(None)
 
     def tick(self) -> float:
         """What is to do now, in less than the time in which a window stutters. Returns when to look again, seconds."""
