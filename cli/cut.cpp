@@ -72,8 +72,8 @@ void cut_one(const std::string& word, const Order& order, const DeliverOptions& 
   const NamedFruit opened = open_fruit(word, order);
   const OrderedFruit& fruit = opened.grown;
   report.add(fruit);
-  report.add(live_files({&fruit, 1}, order, how));
-  if (all_are(order.outputs, live_formats) && order.cut.piece_list.empty()) return;
+  if (all_are(order.outputs, live_formats) && order.cut.piece_list.empty())
+    return report.add(live_files({&fruit, 1}, order, how));
   Slices slices = cut_up(fruit, order, diffuser, report);
   count(slices, report.times);
   if (order.cut.section) return report.add(section_files(slices, fruit.fruit, order, how));

@@ -59,7 +59,7 @@ Delivered family_files(std::span<const OrderedFruit> family, const Order& order,
 
 Delivered cut_fruit_files(const Scene& pieces, const OrderedFruit& fruit, const std::optional<Template>& drawn,
                           const Diffuser& diffuser, const Order& order, const DeliverOptions& how) {
-  Delivered delivered;
+  Delivered delivered = live_files({&fruit, 1}, order, how);
   const std::vector<RipenessVariant> variants =
       ripeness_variants(pieces.solids, fruit, drawn, order, &diffuser, delivered.times);
   delivered.add(piece_files({.placed = pieces, .variants = variants}, fruit, order, how));

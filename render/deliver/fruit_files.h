@@ -22,7 +22,8 @@ Delivered whole_fruit_files(const OrderedFruit& fruit, const std::optional<Templ
 /// Whole fruits of several seeds side by side; on a page all are cut by the same knives.
 Delivered family_files(std::span<const OrderedFruit> family, const Order& order, const DeliverOptions& how);
 
-/// The pieces of a fruit, where they grew. \param diffuser that coloured them.
+/// The pieces of a fruit, where they grew; pages and assets are made of the fruit, and open with its knives.
+/// \param diffuser that coloured the pieces.
 Delivered cut_fruit_files(const Scene& pieces, const OrderedFruit& fruit, const std::optional<Template>& drawn,
                           const Diffuser& diffuser, const Order& order, const DeliverOptions& how);
 

@@ -104,6 +104,13 @@ class SameBytes(unittest.TestCase):
         pomona.grow("cherry", seeds="1-3", **COARSE).cut("half").write("python/row.glb")
         self.compare("a pepper")
 
+    def test_of_a_page_beside_a_mesh(self):
+        endings = ("glb", "html", "pomona")
+        run_program("cut", "cherry", *words_of(COARSE), "--knife", "half", *(w for e in endings for w in ("-o", f"program/cut.{e}")))
+        written = pomona.grow("cherry", **COARSE).cut("half").write(*(f"python/cut.{ending}" for ending in endings))
+        self.assertEqual({path.name for path in written}, {f"cut.{ending}" for ending in endings})
+        self.compare("a page")
+
     def test_of_textures_levels_and_ground_truth(self):
         options = {"seed": 2, "ripeness": 0.4, "texture": 64, "maps": "all", "lod": 1}
         run_program("cut", "tomato", *words_of({**options, **COARSE}), "--knife", "half", "-o", "program/textured.glb")
