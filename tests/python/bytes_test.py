@@ -21,7 +21,7 @@ os.chdir(FOLDER.name)
 import pomona
 
 COARSE = {} if FULL else {"detail": 0.4}
-KNIVES = ("half", "across", "wedges:6", "ball:top/1.5cm", "slices:5") if FULL else ("half", "across", "wedges:4")
+KNIVES = ("half", "across", "wedges:6", "ball:24mm", "slices:5") if FULL else ("half", "across", "wedges:4")
 ENDINGS = ("glb", "usda", "obj", "stl", "ply", "pov", "svg", "png", "html", "pomona") if FULL else ("glb", "ply")
 BATCH = """
 [batch]
