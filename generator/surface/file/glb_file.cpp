@@ -31,7 +31,6 @@ struct SceneNodes {
   std::vector<ShownNode> shown;
   std::vector<std::string> names;  ///< of nodes that show a mesh, for messages
   std::size_t nodes_called_so = 0;
-  std::size_t visits = 0;
 };
 
 /// The scene's nodes, or all nodes without a parent.
@@ -77,7 +76,7 @@ class SceneWalk {
     std::optional<glm::dmat4>& to_scene = nodes_.to_scene[static_cast<std::size_t>(index)];
     if (to_scene)
       place.refuse("is held twice: by two nodes, or within itself", "export it anew, with copies of the node");
-    if (depth > deepest_node || ++nodes_.visits > max_nodes) place.refuse("nodes nested too deep");
+    if (depth > deepest_node || ++visits_ > max_nodes) place.refuse("nodes nested too deep");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     to_scene = parent * transform_of(node, place);
     if (is_invisible(node)) return;
@@ -98,6 +97,7 @@ class SceneWalk {
   const std::string& file_;
   const std::string& object_;
   SceneNodes nodes_;
+  std::size_t visits_ = 0;
 };
 
 /// The nodes to read, and what is to be told of them.
@@ -123,23 +123,26 @@ WantedNodes wanted_nodes(const SceneNodes& scene, const std::string& file, const
   return wanted;
 }
 
-/// The meshes of a node's primitives at each instance of it; a skinned mesh as its joints place it.
-std::vector<PlainMesh> node_meshes(const tinygltf::Model& model, const SceneNodes& scene, const ShownNode& shown,
-                                   MeshRoom room, const std::string& file) {
-  const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(shown.node)];
-  const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
-  const GltfPlace place{file, "mesh \"" + mesh.name.substr(0, 64) + "\""};
-  PrimitivePose pose;
-  pose.morph_weights = node.weights.empty() ? mesh.weights : node.weights;
-  if (node.skin >= 0) pose.joints = skin_joints(model, node.skin, scene.to_scene, place);
+/// The meshes of all primitives of these nodes, at each instance; a skinned mesh as its joints place it.
+std::vector<PlainMesh> node_meshes(const tinygltf::Model& model, const SceneNodes& scene,
+                                   const std::vector<ShownNode>& nodes, const std::string& file) {
   std::vector<PlainMesh> parts;
-  for (const glm::dmat4& to_scene : instance_places(model, node, shown.to_scene, place)) {
-    pose.to_scene = to_scene;
-    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-      parts.push_back(
-          primitive_mesh(model, mesh.primitives[i], pose, room, place.within("primitive " + std::to_string(i))));
-      room.vertices -= parts.back().position.size();
-      room.triangles -= parts.back().triangle.size();
+  MeshRoom room;
+  for (const ShownNode& shown : nodes) {
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(shown.node)];
+    const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
+    const GltfPlace place{file, "mesh \"" + mesh.name.substr(0, 64) + "\""};
+    PrimitivePose pose;
+    pose.morph_weights = node.weights.empty() ? mesh.weights : node.weights;
+    if (node.skin >= 0) pose.joints = skin_joints(model, node.skin, scene.to_scene, place);
+    for (const glm::dmat4& to_scene : instance_places(model, node, shown.to_scene, place)) {
+      pose.to_scene = to_scene;
+      for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+        parts.push_back(
+            primitive_mesh(model, mesh.primitives[i], pose, room, place.within("primitive " + std::to_string(i))));
+        room.vertices -= parts.back().position.size();
+        room.triangles -= parts.back().triangle.size();
+      }
     }
   }
   return parts;
@@ -165,16 +168,7 @@ PlainMesh parse_glb(std::string_view bytes, const std::string& file, const std::
   const tinygltf::Model model = glb_model(bytes, file);
   const SceneNodes scene = SceneWalk(model, file, object).walk();
   const WantedNodes wanted = wanted_nodes(scene, file, object);
-  std::vector<PlainMesh> parts;
-  MeshRoom room;
-  for (const ShownNode& shown : wanted.nodes) {
-    for (PlainMesh& part : node_meshes(model, scene, shown, room, file)) {
-      room.vertices -= part.position.size();
-      room.triangles -= part.triangle.size();
-      parts.push_back(std::move(part));
-    }
-  }
-  PlainMesh mesh = without_unused(joined(parts));
+  PlainMesh mesh = without_unused(joined(node_meshes(model, scene, wanted.nodes, file)));
   if (mesh.triangle.empty()) GltfPlace{file, "scene"}.refuse("holds no triangles", "export the mesh as polygons");
   mesh.notes = wanted.notes;
   return mesh;

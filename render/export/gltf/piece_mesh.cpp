@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "generator/base/error.h"
-#include "generator/piece/piece_facts.h"
+#include "generator/piece/facts_json.h"
 #include "render/export/gltf/vertex_buffers.h"
 #include "render/export/piece_words.h"
 
@@ -11,25 +11,12 @@ namespace pomona::gltf {
 
 namespace {
 
-Json point(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
-
 /// Physical data for games and simulations, and the origin of the piece.
 Json extras_of(const Solid& solid, const ExportOptions& options) {
-  const PieceFacts facts = facts_of(solid);
   const PieceOrigin& origin = solid.origin;
   Json extras;
   extras["parts"] = solid.look->part_names;  // names of the vertices' part numbers
-  extras["volume"] = facts.volume;
-  extras["density"] = facts.density;
-  extras["mass"] = facts.mass;
-  extras["center"] = point(facts.center);
-  extras["inertia"] = {point(facts.inertia[0]), point(facts.inertia[1]), point(facts.inertia[2])};
-  extras["low"] = point(facts.low);
-  extras["high"] = point(facts.high);
-  extras["triangles"] = facts.triangles;
-  extras["closed"] = solid.closed;
-  extras["crumb"] = solid.crumb;
-  if (!solid.instances.empty()) extras["instances"] = solid.instances;
+  extras.update(facts_json(solid));
   if (origin.number == 0) return extras;
 
   extras["template"] = origin.source;
