@@ -220,9 +220,9 @@ malformed: build ## our own files spoilt in some 1600 ways, each told with its p
 	@cmake --preset fuzz >build-fuzz.log 2>&1 || { cat build-fuzz.log; exit 1; }; rm -f build-fuzz.log
 	cmake --build build-fuzz --target fuzzers -j $(JOBS)
 
-fuzz-short: .fuzzers ## ten seconds of libFuzzer for every reader of templates, drawings, scenes, meshes, pictures: what CI does
+fuzz-short: .fuzzers ## 100 000 inputs of libFuzzer for every reader of templates, drawings, scenes, meshes, pictures, the same in each run: what CI does
 	tests/fuzz/fuzz_test.py build-fuzz
-	scripts/fuzz.py build-fuzz --seconds $(or $(SECONDS),10) --jobs $(JOBS) $(READERS)
+	scripts/fuzz.py build-fuzz --runs $(or $(RUNS),100000) --again --jobs $(JOBS) $(READERS)
 
 fuzz: .fuzzers ## RUNS=10000000 of libFuzzer for every reader, or READERS="ply glb"; hours; stop it and it goes on later
 	scripts/fuzz.py build-fuzz --runs $(or $(RUNS),10000000) --jobs $(JOBS) $(READERS)
