@@ -38,7 +38,7 @@ bool some_face_alike(const std::vector<EdgeLeaf>& leaves) {
 }
 
 /// The number of each triangle's part.
-std::vector<std::uint32_t> parts_by_edges(const WeldedMesh& mesh) {
+std::vector<std::uint32_t> parts_by_edges(const EdgedMesh& mesh) {
   DisjointSets sets(mesh.triangles.size());
   for_each_edge(mesh.half_edges, [&](std::span<const HalfEdge> edge) {
     for (const HalfEdge& h : edge) sets.join(edge.front().triangle, h.triangle);
@@ -54,7 +54,7 @@ struct EdgeSigns {
   std::vector<std::uint8_t> alike;   ///< two triangles at one place face alike
 };
 
-EdgeSigns signs_at_edges(const WeldedMesh& mesh, const std::vector<std::uint32_t>& part_of) {
+EdgeSigns signs_at_edges(const EdgedMesh& mesh, const std::vector<std::uint32_t>& part_of) {
   const std::size_t count = mesh.triangles.size();
   EdgeSigns signs{std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0)};
   std::vector<std::uint8_t> unclear(count, 0);
@@ -71,7 +71,7 @@ EdgeSigns signs_at_edges(const WeldedMesh& mesh, const std::vector<std::uint32_t
   return signs;
 }
 
-Enclosures space_of_wrong(const WeldedMesh& mesh, const std::vector<std::uint32_t>& part_of,
+Enclosures space_of_wrong(const EdgedMesh& mesh, const std::vector<std::uint32_t>& part_of,
                           const std::vector<std::uint8_t>& is_wrong) {
   std::vector<Enclosures::Triangle> walls;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -82,7 +82,7 @@ Enclosures space_of_wrong(const WeldedMesh& mesh, const std::vector<std::uint32_
 }
 
 /// Per part: it winds around some place beside it less often than not at all.
-std::vector<std::uint8_t> parts_below_nothing(const WeldedMesh& mesh, const TouchingParts& parts,
+std::vector<std::uint8_t> parts_below_nothing(const EdgedMesh& mesh, const TouchingParts& parts,
                                               const std::vector<std::uint8_t>& settled) {
   std::vector<std::uint8_t> negative(mesh.triangles.size(), 0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -100,7 +100,7 @@ bool TouchingParts::any_wrong() const {
   return std::any_of(is_wrong.begin(), is_wrong.end(), [](std::uint8_t wrong) { return wrong != 0; });
 }
 
-TouchingParts touching_parts(const WeldedMesh& mesh) {
+TouchingParts touching_parts(const EdgedMesh& mesh) {
   std::vector<std::uint32_t> part_of = parts_by_edges(mesh);
   EdgeSigns signs = signs_at_edges(mesh, part_of);
   Enclosures space = space_of_wrong(mesh, part_of, signs.differ);
@@ -112,7 +112,7 @@ TouchingParts touching_parts(const WeldedMesh& mesh) {
   return parts;
 }
 
-std::optional<std::array<int, 2>> windings_beside(const WeldedMesh& mesh, const TouchingParts& parts,
+std::optional<std::array<int, 2>> windings_beside(const EdgedMesh& mesh, const TouchingParts& parts,
                                                   std::uint32_t triangle) {
   const glm::dvec3 a = mesh.corner(triangle, 0), b = mesh.corner(triangle, 1), c = mesh.corner(triangle, 2);
   const glm::dvec3 area = glm::cross(b - a, c - a);

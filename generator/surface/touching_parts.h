@@ -16,7 +16,7 @@
 namespace pomona {
 
 /// Surfaces, their triangles welded and facing air, and the edges of these.
-struct WeldedMesh {
+struct EdgedMesh {
   const DiffusionSurfaces& surfaces;
   std::span<const glm::uvec3> triangles;
   std::vector<HalfEdge> half_edges;  ///< sorted
@@ -38,11 +38,11 @@ struct TouchingParts {
 
 /// A part is wrong if two of its triangles face alike at one place, or if it winds somewhere less often than not at
 /// all. Parts with an odd number of triangles at some edge are left alone, and those with more than 64: no solids.
-TouchingParts touching_parts(const WeldedMesh& mesh);
+TouchingParts touching_parts(const EdgedMesh& mesh);
 
 /// How often the triangle's part winds around the places just in front of it and just behind it; nothing for a triangle
 /// without area.
-std::optional<std::array<int, 2>> windings_beside(const WeldedMesh& mesh, const TouchingParts& parts,
+std::optional<std::array<int, 2>> windings_beside(const EdgedMesh& mesh, const TouchingParts& parts,
                                                   std::uint32_t triangle);
 
 }  // namespace pomona

@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/signed_volume.h"
 #include "generator/surface/edge_leaves.h"
 #include "generator/surface/touching_parts.h"
 #include "generator/surface/turned_sets.h"
@@ -20,19 +21,19 @@ namespace {
 
 /// A patch is a set of triangles that surely face alike. Per triangle: the first of its patch, which stands for the
 /// patch, and whether it is turned against that.
-using Patches = std::vector<TurnedSets::Root>;
+using FacingPatches = std::vector<TurnedSets::Root>;
 
 /// Per first triangle of a patch: whether the patch turns; nothing where that is not known.
 using Decisions = std::vector<std::optional<std::uint8_t>>;
 
 template <typename Visit>
-void for_each_wrong_edge(const WeldedMesh& mesh, const TouchingParts& parts, const Visit& visit) {
+void for_each_wrong_edge(const EdgedMesh& mesh, const TouchingParts& parts, const Visit& visit) {
   for_each_edge(mesh.half_edges, [&](std::span<const HalfEdge> edge) {
     if (parts.holds_wrong(edge.front().triangle)) visit(edge);
   });
 }
 
-// ---- Patches ----
+// ---- FacingPatches ----
 
 void join(TurnedSets& sets, const HalfEdge& a, const HalfEdge& b) {
   sets.join(a.triangle, b.triangle, a.forward == b.forward);
@@ -57,7 +58,7 @@ std::uint32_t own_vertex(const DiffusionSurfaces& surfaces, std::uint32_t triang
 }
 
 /// At an edge of many those belong together that share vertices of the file, or that alone are of one surface.
-Patches patches_of(const WeldedMesh& mesh, const TouchingParts& parts) {
+FacingPatches patches_of(const EdgedMesh& mesh, const TouchingParts& parts) {
   TurnedSets sets(mesh.triangles.size());
   for_each_wrong_edge(mesh, parts, [&](std::span<const HalfEdge> edge) {
     if (edge.size() == 2) return join(sets, edge[0], edge[1]);
@@ -66,15 +67,15 @@ Patches patches_of(const WeldedMesh& mesh, const TouchingParts& parts) {
     });
     join_pairs(sets, edge, [&](const HalfEdge& h) { return mesh.surfaces.surface[h.triangle]; });
   });
-  Patches patches;
+  FacingPatches patches;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) patches.push_back(sets.root(t));
   return patches;
 }
 
-// ---- Patches with solid on one side ----
+// ---- FacingPatches with solid on one side ----
 
 /// A closed patch among others on all its sides is a solid by itself; nothing if it is not closed.
-std::optional<std::uint8_t> turn_by_volume(const WeldedMesh& mesh, const Patches& patches,
+std::optional<std::uint8_t> turn_by_volume(const EdgedMesh& mesh, const FacingPatches& patches,
                                            const std::vector<std::uint32_t>& patch) {
   std::vector<glm::uvec3> as_first;
   double volume = 0;
@@ -83,8 +84,7 @@ std::optional<std::uint8_t> turn_by_volume(const WeldedMesh& mesh, const Patches
     as_first.push_back(mesh.triangles[t]);
     const bool is_turned = patches[t].turned != 0;
     if (is_turned) std::swap(as_first.back().y, as_first.back().z);
-    const double six =
-        glm::dot(mesh.corner(t, 0) - origin, glm::cross(mesh.corner(t, 1) - origin, mesh.corner(t, 2) - origin));
+    const double six = six_volumes(mesh.corner(t, 0) - origin, mesh.corner(t, 1) - origin, mesh.corner(t, 2) - origin);
     volume += is_turned ? -six : six;
   }
   if (!is_closed(as_first)) return std::nullopt;
@@ -92,8 +92,8 @@ std::optional<std::uint8_t> turn_by_volume(const WeldedMesh& mesh, const Patches
 }
 
 /// Whether the patch turns; nothing if solid lies on both its sides or on neither, or if it crosses others.
-std::optional<std::uint8_t> turn_of_patch(const WeldedMesh& mesh, const TouchingParts& parts, const Patches& patches,
-                                          const std::vector<std::uint32_t>& patch) {
+std::optional<std::uint8_t> turn_of_patch(const EdgedMesh& mesh, const TouchingParts& parts,
+                                          const FacingPatches& patches, const std::vector<std::uint32_t>& patch) {
   std::array<std::size_t, 2> votes{0, 0};  // to stay, to turn
   std::size_t between_solids = 0;
   const std::size_t samples = std::min<std::size_t>(16, patch.size());
@@ -114,7 +114,7 @@ std::optional<std::uint8_t> turn_of_patch(const WeldedMesh& mesh, const Touching
   return std::nullopt;
 }
 
-Decisions decisions_by_places(const WeldedMesh& mesh, const TouchingParts& parts, const Patches& patches) {
+Decisions decisions_by_places(const EdgedMesh& mesh, const TouchingParts& parts, const FacingPatches& patches) {
   std::vector<std::vector<std::uint32_t>> members(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (parts.holds_wrong(t) && !is_collapsed(mesh.triangles[t])) members[patches[t].root].push_back(t);
@@ -124,7 +124,7 @@ Decisions decisions_by_places(const WeldedMesh& mesh, const TouchingParts& parts
   return decided;
 }
 
-// ---- Patches between solids ----
+// ---- FacingPatches between solids ----
 
 /// Two patches at one place, of which at least one is not decided, face each other's solid.
 struct Partners {
@@ -132,7 +132,7 @@ struct Partners {
   std::vector<std::uint8_t> paired;  ///< per patch: it has a partner
 };
 
-void join_partners(Partners& partners, const std::vector<EdgeLeaf>& leaves, const Patches& patches,
+void join_partners(Partners& partners, const std::vector<EdgeLeaf>& leaves, const FacingPatches& patches,
                    const Decisions& decided) {
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const EdgeLeaf &a = leaves[i], &b = leaves[(i + 1) % leaves.size()];
@@ -153,7 +153,7 @@ struct NextInFile {
 };
 
 /// For patches at the edge that are not decided.
-void find_next_in_file(std::vector<NextInFile>& next_of, std::span<const HalfEdge> edge, const Patches& patches,
+void find_next_in_file(std::vector<NextInFile>& next_of, std::span<const HalfEdge> edge, const FacingPatches& patches,
                        const Decisions& decided) {
   for (const HalfEdge& open : edge) {
     const TurnedSets::Root patch = patches[open.triangle];
@@ -172,7 +172,7 @@ void find_next_in_file(std::vector<NextInFile>& next_of, std::span<const HalfEdg
 
 /// Decides the patches that have partners. Where neither is decided, each keeps to the one next to it in the file, so
 /// that a solid keeps its own triangles.
-Decisions decisions_by_partners(const WeldedMesh& mesh, const TouchingParts& parts, const Patches& patches,
+Decisions decisions_by_partners(const EdgedMesh& mesh, const TouchingParts& parts, const FacingPatches& patches,
                                 Decisions decided) {
   const std::size_t count = mesh.triangles.size();
   Partners partners{TurnedSets(count), std::vector<std::uint8_t>(count, 0)};
@@ -203,10 +203,10 @@ Decisions decisions_by_partners(const WeldedMesh& mesh, const TouchingParts& par
 std::vector<std::uint8_t> turns_where_solids_touch(const DiffusionSurfaces& surfaces,
                                                    std::span<const glm::uvec3> triangles) {
   std::vector<std::uint8_t> turns(triangles.size(), 0);
-  const WeldedMesh mesh{surfaces, triangles, sorted_half_edges(triangles)};
+  const EdgedMesh mesh{surfaces, triangles, sorted_half_edges(triangles)};
   const TouchingParts parts = touching_parts(mesh);
   if (!parts.any_wrong()) return turns;
-  const Patches patches = patches_of(mesh, parts);
+  const FacingPatches patches = patches_of(mesh, parts);
   const Decisions decided = decisions_by_partners(mesh, parts, patches, decisions_by_places(mesh, parts, patches));
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     if (parts.holds_wrong(t))
