@@ -229,6 +229,7 @@ class PieceBuilder {
     std::vector<std::uint32_t> cell;
     for (const Component& component : component_) cell.push_back(component.cell);
     join(parts, piece_groups(parts, cell, section_.mesh));
+    join(parts, homes_of_held(parts, cell, section_.mesh, options_.held_parts));
     join(parts, homes_of_bits(parts, cell, section_.mesh));
     for (std::size_t i = 0; i < parts.size(); ++i) {
       parts[i].closed = edges_[i].closed();
