@@ -59,7 +59,7 @@ test-programs: .npm ## tests that start real programs: the glTF validator, POV-R
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -L programs
 
-test-rest: build .npm ## 24 templates by five knives come to rest in MuJoCo, welded fruits hold, dishes are open; half an hour
+test-rest: build .npm ## all templates by five knives come to rest in MuJoCo, welded fruits hold, dishes are open; half an hour
 	@scripts/setup.sh build test programs
 	node tests/programs/mujoco_rest.mjs build/pomona out/rest
 	node tests/programs/mujoco_welds.mjs build/pomona out/rest
