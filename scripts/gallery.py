@@ -33,6 +33,7 @@ ACROSS = {
     "cherry": "plane:0,1,0,13mm",  # through the stone: with the long stem, half the height lies above it
     "bread": "plane:1,0,0,0mm",  # these lie: a slice
     "salami": "plane:1,0,0,0mm",
+    "currants": "plane:0,1,0,26mm",  # through two berries, with seeds
     "mushroom": "plane:0,1,0,32mm",  # through the gills; half the height lies below them
 }
 # Sizes in pixels. templates/README.md shows pictures as large as they are, README.md at GRID_SHOWN.
