@@ -352,7 +352,8 @@ TEST(Sketch, what_css_does_to_places_and_shapes_is_told) {
   EXPECT_THAT(styled(".cut{d:path('M0,0')}", line), HasSubstr("has its shape from its style (CSS)"));
   EXPECT_THAT(styled("", line + R"x( style="d:path('M0,0')")x"), HasSubstr("has its shape from its style (CSS)"));
   EXPECT_THAT(styled("", R"(r="4" style="stroke:red; r:9px")", "circle"), HasSubstr("has its shape from its style"));
-  EXPECT_THAT(styled("", R"(width="4" height="3" style="width:9px")", "rect"), HasSubstr("has its shape from its style"));
+  EXPECT_THAT(styled("", R"(width="4" height="3" style="width:9px")", "rect"),
+              HasSubstr("has its shape from its style"));
 }
 
 TEST(Sketch, css_that_is_for_others_or_says_nothing_counts_for_nothing) {
