@@ -358,7 +358,7 @@ UsdaFiles write_usda(const Scene& scene, const std::string& stem, const ExportOp
   UsdaFiles made;
   Pieces pieces = pieces_of(scene, options, levels);
   if (options.atlas != AtlasOf::none)
-    pieces.looks.finish(added_maps(stem + "_looks", pieces.palette.maps(), made.textures));
+    pieces.looks.finish(added_maps(as_utf8(stem) + "_looks", pieces.palette.maps(), made.textures));
   made.text = file_text(scene, pieces, options);
   return made;
 }
