@@ -5,13 +5,13 @@
 
 #include "generator/mesh/box.h"
 #include "generator/scene/lay_out.h"
+#include "generator/scene/table_pose.h"
 
 namespace pomona {
 
 namespace {
 
 constexpr double share_between = 0.1;  // gap, as a share of the widest solid
-constexpr double narrow_field = 0.14;  // radians; narrow, so that the ends of a wide row look like its middle
 const glm::dvec3 from_the_front(0, 0.6, 1);
 
 Box<double> posed_bounds(const Solid& solid, const Pose& pose) {

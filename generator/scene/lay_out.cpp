@@ -192,20 +192,43 @@ bool hang_peels(Scene& table) {
   return any;
 }
 
+/// One for each piece.
+struct TablePoses {
+  std::vector<TablePose> of_piece;
+  bool halves = false;  ///< two halves: they lie alike, long ones each along the diagonal
+};
+TablePoses table_poses(const Scene& table, const glm::dvec3& eye, bool upright) {
+  TablePoses all;
+  std::vector<TablePose>& poses = all.of_piece;
+  for (const Instance& instance : table.instances) {
+    const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];
+    poses.push_back(upright ? standing_pose(solid, eye) : table_pose(solid, eye));
+  }
+  all.halves = poses.size() == 2 && are_halves(poses[0], poses[1]);
+  const auto lies_along_diagonal = [](const TablePose& pose) { return pose.slender && pose.on_back; };
+  if (!all.halves || std::all_of(poses.begin(), poses.end(), lies_along_diagonal)) return all;
+  const std::size_t model = poses[0].on_back ? 0 : 1, other = 1 - model;
+  poses[other] = posed_alike(poses[other], poses[model]);
+  return all;
+}
+
 /// Turns all pieces.
 /// \param upright pieces without flat cuts stand as they grew.
-/// \returns which are slender, and the share of the volume that stands as it grew.
+/// \returns how many are slender, the share of the volume that stands as it grew, and whether they are two halves.
 struct Turned {
   std::size_t slender = 0;
   double as_grown = 0;
+  bool halves = false;
 };
 Turned turn_all(Scene& table, const glm::dvec3& eye, bool upright) {
   Turned turned;
   double volume = 0, standing_volume = 0;
-  for (Instance& instance : table.instances) {
-    const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];
-    const TablePose pose = upright ? standing_pose(solid, eye) : table_pose(solid, eye);
-    instance.pose.rotation = pose.rotation;
+  const TablePoses poses = table_poses(table, eye, upright);
+  turned.halves = poses.halves;
+  for (std::size_t i = 0; i < poses.of_piece.size(); ++i) {
+    const TablePose& pose = poses.of_piece[i];
+    const Solid& solid = table.solids[static_cast<std::size_t>(table.instances[i].solid)];
+    table.instances[i].pose.rotation = pose.rotation;
     turned.slender += pose.slender ? 1 : 0;
     volume += solid.volume;
     if (pose.as_grown && !pose.slender) standing_volume += solid.volume;
@@ -258,6 +281,7 @@ Scene laid_out(const Scene& scene, double aspect, Peels peels) {
     const Tray tray = tray_of(table, 2 * turned.slender > table.instances.size(), stands ? hidden_from_beside : hidden);
     const std::vector<glm::dvec3> place = best_places(tray, eye, aspect);
     for (std::size_t i = 0; i < place.size(); ++i) table.instances[i].pose.translation = place[i];
+    if (turned.halves && tray.diagonal) table.view.vertical_field = narrow_field;
   }
   table.view = fitted_view(table, eye, aspect);
   return table;

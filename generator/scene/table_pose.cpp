@@ -145,6 +145,9 @@ class Chooser {
     return best;
   }
 
+  /// To where the largest cut face looks, if it is flat.
+  glm::dvec3 flat_face() const { return !sides_.empty() && sides_[0].flat ? sides_[0].normal : glm::dvec3(0); }
+
   /// Whether the piece lies on its back, and its largest cut face looks up.
   bool on_its_back(const Rest& rest) const {
     return !rest.as_grown && !rest.on_flat && !sides_.empty() && glm::dot(sides_[0].normal, rest.up) > 0.8;
@@ -220,7 +223,7 @@ TablePose standing_pose(const Solid& solid, const glm::dvec3& eye) {
   if (solid.mesh.position.empty()) return {};
   const PoseChoice choice = Chooser(solid, eye).choose_standing();
   if (choice.score < 0) return table_pose(solid, eye);
-  return {standing_frame(choice.rest.up, choice.front), false, true};
+  return {.rotation = standing_frame(choice.rest.up, choice.front), .as_grown = true};
 }
 
 TablePose table_pose(const Solid& solid, const glm::dvec3& eye) {
@@ -228,11 +231,31 @@ TablePose table_pose(const Solid& solid, const glm::dvec3& eye) {
   const Chooser chooser(solid, eye);
   const PoseChoice choice = chooser.choose();
   if (choice.score < 0) return {};
-  TablePose pose{standing_frame(choice.rest.up, choice.front), choice.slender, choice.rest.as_grown};
-  if (!chooser.on_its_back(choice.rest)) return pose;
+  TablePose pose{.rotation = standing_frame(choice.rest.up, choice.front),
+                 .slender = choice.slender,
+                 .as_grown = choice.rest.as_grown,
+                 .on_back = chooser.on_its_back(choice.rest),
+                 .face = chooser.flat_face()};
+  if (!pose.on_back) return pose;
   // The axis of leaning: the level line across the sight, or the diagonal for pieces along it.
   const glm::dvec3 axis = choice.slender ? diagonal_on_table() : glm::dvec3(1, 0, 0);
   pose.rotation = glm::normalize(turn_about(axis, lean_angle) * pose.rotation);
+  return pose;
+}
+
+bool are_halves(const TablePose& one, const TablePose& other) {
+  constexpr double opposite = -0.999, lengthwise = 0.3;
+  if (one.as_grown || other.as_grown || !(one.on_back || other.on_back)) return false;
+  return glm::dot(one.face, other.face) < opposite && std::abs(one.face.y) < lengthwise;
+}
+
+TablePose posed_alike(const TablePose& piece, const TablePose& model) {
+  // Half a turn about the fruit's axis, as far as it lies in the face, takes one half to the other's place.
+  const glm::dvec3 grows(0, 1, 0);
+  const glm::dvec3 axis = glm::normalize(grows - glm::dot(grows, model.face) * model.face);
+  TablePose pose = model;
+  pose.rotation = glm::normalize(model.rotation * turn_about(axis, pi));
+  pose.face = piece.face;
   return pose;
 }
 

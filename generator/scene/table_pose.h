@@ -19,10 +19,16 @@ glm::dvec3 eye_beside_table();
 /// diagonal. Horizontal, of length 1.
 glm::dvec3 diagonal_on_table();
 
+/// Radians: a field of view so narrow that the ends of a row look like its middle. From near by, of two long pieces
+/// along the diagonal the left one is seen from its side, and the right one from its end.
+constexpr double narrow_field = 0.14;
+
 struct TablePose {
   glm::dquat rotation{1, 0, 0, 0};
   bool slender = false;   ///< much longer than wide: it lies along diagonal_on_table()
   bool as_grown = false;  ///< hardly cut, it stands as the fruit did, or lies if that is long
+  bool on_back = false;   ///< its largest cut face looks up
+  glm::dvec3 face{0};     ///< in the piece's own frame, to where that face looks; 0 if it is not flat
 };
 
 /// The pose in which the piece rests on the table (+Y is up) as if laid down carefully, and the eye sees the most of
@@ -32,7 +38,14 @@ struct TablePose {
 /// eye_beside_table().
 TablePose table_pose(const Solid& solid, const glm::dvec3& eye = eye_over_table());
 
-/// The same for a piece beside a hanging peel: a piece without flat cut faces stands as it grew and is not laid down.
+/// Whether these are the halves of a fruit that was cut lengthwise, of which one lies on its back at least.
+bool are_halves(const TablePose& one, const TablePose& other);
+
+/// The pose of the other half, `piece`, like that of the half that lies as `model`: faces at the same slant are of one
+/// scale in a picture, while each half by itself would roll to its own side.
+TablePose posed_alike(const TablePose& piece, const TablePose& model);
+
+/// table_pose() of a piece beside a hanging peel: one without flat cut faces stands as it grew and is not laid down.
 TablePose standing_pose(const Solid& solid, const glm::dvec3& eye);
 
 }  // namespace pomona

@@ -136,6 +136,32 @@ TEST(LaidOut, AHalfShowsItsFaceAndItsSkin) {
   }
 }
 
+/// A prism with a narrow edge at one side: by itself the half with the edge would roll to one of its slopes, and be
+/// drawn smaller than the other.
+DiffusionSurfaces prism() {
+  DiffusionSurfaces fruit = shapes::box({-0.03, 0, -0.03}, {0.03, 0.07, 0.03}, 6, shapes::skin_paint());
+  for (glm::vec3& p : fruit.position) p.x *= (p.z + 0.032f) / 0.062f;
+  return fruit;
+}
+
+TEST(LaidOut, HalvesOfOneFruitLieAlike) {
+  const Scene halves = pieces_of(prism(), {"half"});
+  ASSERT_EQ(halves.instances.size(), 2u);
+  const auto axis_alone = [&](std::size_t i) { return table_pose(halves.solids[i]).rotation * glm::dvec3(0, 1, 0); };
+  EXPECT_GT(glm::distance(axis_alone(0), axis_alone(1)), 0.05) << "each by itself lies otherwise";
+  const Scene table = laid_out(halves);
+  std::vector<glm::dvec3> face, axis;
+  for (const Instance& instance : table.instances) {
+    const std::vector<glm::dvec3> faces = face_vectors(table, instance);
+    ASSERT_EQ(faces.size(), 1u);
+    face.push_back(glm::normalize(faces[0]));
+    axis.push_back(instance.pose.rotation * glm::dvec3(0, 1, 0));
+    EXPECT_NEAR(box_around(placed_points(table, instance)).low.y, 0, 1e-9);
+  }
+  EXPECT_LT(glm::distance(face[0], face[1]), 1e-6);
+  EXPECT_LT(glm::distance(axis[0], axis[1]), 1e-6);
+}
+
 /// A mountain with flat ground stands on it and turns its face to the eye.
 TEST(LaidOut, WhatHasFlatGroundUnderItStands) {
   const DiffusionSurfaces block = shapes::box({-0.05, 0, -0.05}, {0.05, 0.03, 0.05}, 4, shapes::skin_paint());
