@@ -85,8 +85,7 @@ TEST(ConvexHull, DoesNotDependOnTheOrderOfPoints) {
   EXPECT_EQ(one.triangle, other.triangle);
 }
 
-/// A drum has two flat faces of many corners, which CGAL divides as memory happens to lie: of copies at other addresses
-/// it made other triangles.
+/// A drum has two flat faces of many corners. What CGAL makes of them depends on addresses; cli.delivery compares runs.
 TEST(ConvexHull, DividesFlatFacesTheSameWayEachTime) {
   std::vector<glm::vec3> drum;
   for (int x = -5; x <= 5; ++x)
