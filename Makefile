@@ -59,7 +59,7 @@ test-programs: .npm ## tests that start real programs: the glTF validator, POV-R
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -L programs
 
-test-rest: build .npm ## 24 templates by five knives come to rest in MuJoCo, welded fruits hold, dishes are open; half an hour
+test-rest: build .npm ## all templates by five knives come to rest in MuJoCo, welded fruits hold, dishes are open; half an hour
 	@scripts/setup.sh build test programs
 	node tests/programs/mujoco_rest.mjs build/pomona out/rest
 	node tests/programs/mujoco_welds.mjs build/pomona out/rest
@@ -211,7 +211,7 @@ stops: ## a run that writes files stopped 500 times, by signals, kills and faili
 	cmake --build build --target pomona failing_calls -j $(JOBS)
 	tests/cli/stops_test.py build/pomona $$(find build -name libfailing_calls.so) 500
 
-malformed: build ## our own files spoilt in some 1600 ways, each told with its place within 2 s and 512 MB
+malformed: build ## our own files spoilt in some 2900 ways, each told with its place within 2 s and 512 MB
 	tests/malformed/malformed.py build/pomona
 
 # The readers alone, by clang, under both sanitizers; a few minutes without ccache.
@@ -220,9 +220,9 @@ malformed: build ## our own files spoilt in some 1600 ways, each told with its p
 	@cmake --preset fuzz >build-fuzz.log 2>&1 || { cat build-fuzz.log; exit 1; }; rm -f build-fuzz.log
 	cmake --build build-fuzz --target fuzzers -j $(JOBS)
 
-fuzz-short: .fuzzers ## ten seconds of libFuzzer for every reader of templates, drawings, scenes, meshes, pictures: what CI does
+fuzz-short: .fuzzers ## 100 000 inputs of libFuzzer for every reader of templates, drawings, scenes, meshes, pictures, the same in each run: what CI does
 	tests/fuzz/fuzz_test.py build-fuzz
-	scripts/fuzz.py build-fuzz --seconds $(or $(SECONDS),10) --jobs $(JOBS) $(READERS)
+	scripts/fuzz.py build-fuzz --runs $(or $(RUNS),100000) --again --jobs $(JOBS) $(READERS)
 
 fuzz: .fuzzers ## RUNS=10000000 of libFuzzer for every reader, or READERS="ply glb"; hours; stop it and it goes on later
 	scripts/fuzz.py build-fuzz --runs $(or $(RUNS),10000000) --jobs $(JOBS) $(READERS)

@@ -133,9 +133,13 @@ Json measured(const FactsOf& facts_of, const std::string& kind, const std::strin
               Threads threads) {
   std::vector<oracle::CutFacts> facts(static_cast<std::size_t>(count));
   std::vector<std::string> abort(facts.size());
+  std::vector<char> refused(facts.size(), 0);  // of a bunch no peel can be cut: that is told, and no fault
   parallel_for(facts.size(), threads, [&](std::size_t i) {
     try {
       facts[i] = facts_of(first + static_cast<int>(i));
+    } catch (const Error& error) {
+      refused[i] = kind == "peels" && error.status() == ExitStatus::usage;
+      if (!refused[i]) abort[i] = error.what();
     } catch (const std::exception& error) {
       abort[i] = error.what();
     }
@@ -164,6 +168,7 @@ Json measured(const FactsOf& facts_of, const std::string& kind, const std::strin
               {"open_chains", chains},
               {"open_pieces", pieces},
               {"aborts", aborts},
+              {"refused", std::count(refused.begin(), refused.end(), 1)},
               {"bad", bad},
               {"why", why}});
   return row;
@@ -182,7 +187,8 @@ std::string scientific(double value) {
 }
 
 TextTable table_of(const std::vector<Json>& rows) {
-  TextTable table{{"", "cuts", "aborts", "open chains", "open pieces", "area", "volume", "volume of one side"}, {}};
+  TextTable table{
+      {"", "cuts", "refused", "aborts", "open chains", "open pieces", "area", "volume", "volume of one side"}, {}};
   std::vector<std::string> names;
   for (const Json& row : rows) {
     for (const std::string& name : {row["fruit"].get<std::string>() + ", " + row["kind"].get<std::string>(),
@@ -192,14 +198,14 @@ TextTable table_of(const std::vector<Json>& rows) {
   }
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {
-    int counts[4] = {};
+    int counts[5] = {};
     double errors[3] = {};
     for (const Json& row : rows) {
       const std::string kind = row["kind"].get<std::string>();
       if (name != row["fruit"].get<std::string>() + ", " + kind && name != "all, " + kind) continue;
-      const char* count_keys[] = {"cuts", "aborts", "open_chains", "open_pieces"};
+      const char* count_keys[] = {"cuts", "refused", "aborts", "open_chains", "open_pieces"};
       const char* error_keys[] = {"area_error", "volume_error", "side_error"};
-      for (int i = 0; i < 4; ++i) counts[i] += row[count_keys[i]].get<int>();
+      for (int i = 0; i < 5; ++i) counts[i] += row.value(count_keys[i], 0);
       for (int i = 0; i < 3; ++i) errors[i] = std::max(errors[i], row[error_keys[i]].get<double>());
     }
     std::vector<std::string> cells{name};

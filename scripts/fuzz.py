@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
 """Runs the fuzzers of tests/fuzz (the preset fuzz), one for each reader.
 
-    fuzz.py build-fuzz --seconds 10             each so long: what CI does
+    fuzz.py build-fuzz --runs 100000 --again    each so often, from the beginning, by the same dice: what CI does
     fuzz.py build-fuzz --runs 10000000          each so often; stop it, and it goes on later where it was
     fuzz.py build-fuzz --runs 1000000 ply glb   these readers alone
+    fuzz.py build-fuzz --seconds 10             each so long
+
+--again makes the same inputs whenever the same program runs, so that CI says of a change what it said before it was
+pushed. All else is by new dice.
 
 Prints a line for each reader: its runs so far, the inputs that made it do something new, what it found. What is new is
 kept in out/fuzz/READER, findings in out/fuzz/findings. Ends with 1 if there are any; what made them belongs into
@@ -75,7 +79,7 @@ def files_in(folder):
     return len(list(folder.iterdir()))
 
 
-def run(reader, build, work, limit, amount, longest):
+def run(reader, build, work, limit, amount, longest, again):
     """One program, with inputs of at most so many bytes: its runs, whether it found something, what it said. Runs of
     what was there before are asked for in addition, and not counted, where runs are."""
     grown = work / reader
@@ -87,6 +91,8 @@ def run(reader, build, work, limit, amount, longest):
     command = [build / "tests" / "fuzz" / f"fuzz_{reader}", *LIMITS, f"-max_len={longest}", "-print_final_stats=1",
                "-verbosity=1", f"-entropic={1 if longest == LONGEST else 0}", f"-artifact_prefix={findings}/{reader}-",
                f"{limit}={amount + repeated}"]
+    if again:
+        command += ["-seed=1", "-reload=0"]  # reading the folder anew once a second would make inputs depend on the time
     dictionary = READERS.get(reader, ([], None))[1]
     if dictionary:
         command.append(f"-dict={FUZZ / 'dictionaries' / dictionary}.dict")
@@ -118,10 +124,13 @@ def fuzz(reader, build, work, options):
     book = work / f"{reader}.json"
     known = json.loads(book.read_text()) if book.exists() and options.runs else {"runs": 0, "findings": 0}
     begun, made = time.monotonic(), 0
+    if options.again:
+        known = {"runs": 0, "findings": 0}
+        shutil.rmtree(work / reader, ignore_errors=True)
     for limit, amount, longest in steps(options, known):
         if known["findings"]:
             break
-        runs, crashed, output = run(reader, build, work, limit, amount, longest)
+        runs, crashed, output = run(reader, build, work, limit, amount, longest, options.again)
         fewest = min(FEWEST, amount) if limit == "-runs" else FEWEST
         if runs < fewest and not crashed:
             crashed, output = True, f"{reader}: {runs} runs in a step ({limit}={amount}), which tries nothing\n{output}"
@@ -143,6 +152,7 @@ def main():
     parser.add_argument("readers", nargs="*", default=list(READERS))
     parser.add_argument("--seconds", type=int, default=10)
     parser.add_argument("--runs", type=int, default=0)
+    parser.add_argument("--again", action="store_true", help="from the beginning, by the same dice")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "out" / "fuzz")
     options = parser.parse_intermixed_args()  # readers may follow options, as the Makefile has them

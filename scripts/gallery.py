@@ -36,10 +36,11 @@ ACROSS = {
     "currants": "plane:0,1,0,26mm",  # through two berries, with seeds
     "mushroom": "plane:0,1,0,32mm",  # through the gills; half the height lies below them
 }
-ROW = 800, 240  # pixels: seeds side by side, at one scale; shown at ROW_SHOWN
-WIDE = 360, 240  # pixels; shown at WIDE_SHOWN
-LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
-LARGE_SHOWN, SMALL_SHOWN, WIDE_SHOWN, GRID_SHOWN, ROW_SHOWN = 200, 130, 300, 180, 400
+# Sizes in pixels. templates/README.md shows pictures as large as they are, README.md at GRID_SHOWN.
+ROW = 800, 240  # seeds side by side, at one scale
+WIDE = 360, 240
+LARGE, SMALL = 240, 150
+GRID_SHOWN = 180
 
 
 def templates():
@@ -119,17 +120,17 @@ def print_commands(program, folder, names):
         print(shlex.join([program, *words, "--quiet", "-o", f"{folder}/{path}"]))
 
 
-def image(path, alt, width):
-    return f'<img src="{path}" alt="{alt}" width="{width}">'
+def image(path, alt):
+    return f"![{alt}]({path})"
 
 
 def block(name):
     """What templates/README.md shows of one template."""
     template = read(name)
     folder = f"../{PICTURES}/{name}"
-    large = [image(f"{folder}/{view}.png", view, LARGE_SHOWN) for view in ("surfaces", "whole", "half", "across")]
-    small = [image(f"{folder}/seed_{seed}_across.png", f"seed {seed}", SMALL_SHOWN) for seed in SEEDS if varies(name)]
-    rows = [image(f"{folder}/{row}.png", f"seeds {what}", ROW_SHOWN)
+    large = [image(f"{folder}/{view}.png", view) for view in ("surfaces", "whole", "half", "across")]
+    small = [image(f"{folder}/seed_{seed}_across.png", f"seed {seed}") for seed in SEEDS if varies(name)]
+    rows = [image(f"{folder}/{row}.png", f"seeds {what}")
             for row, what in (("seeds", "whole"), ("seeds_half", "halved")) if varies(name)]
     return "\n".join([
         f"### {template.get('title', name)}",
@@ -137,14 +138,15 @@ def block(name):
         textwrap.fill(f"[`{name}`]({name}.toml), {symmetry(template)}. {opening(name)}", 120, break_on_hyphens=False),
         "",
         *large,
-        image(f"{folder}/halves.png", "halves", WIDE_SHOWN),
+        image(f"{folder}/halves.png", "halves"),
         "",
         *([*small, "", *rows, ""] if small else []),
     ])
 
 
 def grid_cell(name):
-    return f'[{image(f"{PICTURES}/{name}/halves.png", name, GRID_SHOWN)}](templates/README.md#{anchor(name)})'
+    picture = f'<img src="{PICTURES}/{name}/halves.png" alt="{name}" width="{GRID_SHOWN}">'
+    return f"[{picture}](templates/README.md#{anchor(name)})"
 
 
 def anchor(name):

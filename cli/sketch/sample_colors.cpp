@@ -37,21 +37,38 @@ class Pictures {
   Pictures(const SvgDrawing& drawing, fs::path folder) : drawing_(drawing), folder_(std::move(folder)) {}
 
   /// The colour around a point of the page, in the topmost picture; nothing without a picture.
+  /// \throws BadSketch if none is known to be there, and the place of one is not known.
   std::optional<Color> at(const glm::dvec2& point) {
+    const SvgElement* lost = nullptr;
     for (std::size_t i = drawing_.elements.size(); i-- > 0;) {
       const SvgElement& element = drawing_.elements[i];
-      if (element.tag != "image" || !element.drawn || !element.fault.empty()) continue;
+      if (element.tag != "image" || !element.drawn) continue;
+      if (!fault_of(element).empty()) {
+        lost = &element;
+        continue;
+      }
       const std::optional<Color> color = color_in(i, point);
       if (color) return color;
+    }
+    if (lost) {
+      throw BadSketch(
+          "lies beside the pictures whose place is known; that at " + place_of(drawing_, *lost) + " " + fault_of(*lost),
+          "put it in anew (File > Import)");
     }
     return {};
   }
 
  private:
+  /// Why it is not known where a picture lies; empty if it is.
+  static std::string fault_of(const SvgElement& element) {
+    const bool has_size = element.size.x > 0 && element.size.y > 0;
+    return !element.fault.empty() || has_size ? element.fault : "does not say how large it is";
+  }
+
   std::optional<Color> color_in(std::size_t index, const glm::dvec2& point) {
     const SvgElement& element = drawing_.elements[index];
     const std::optional<SvgTransform> own = inverse(element.to_page);
-    if (!own || !(element.size.x > 0 && element.size.y > 0)) return {};
+    if (!own) return {};
     const glm::dvec2 in_box = ((*own)(point)-element.position) / element.size;
     if (!(in_box.x >= 0 && in_box.x < 1 && in_box.y >= 0 && in_box.y < 1)) return {};
 
@@ -71,19 +88,13 @@ class Pictures {
     PlacedPicture picture;
     picture.shown = read_linked_picture(element.href, folder_, place_of(drawing_, element));
 
-    // The picture fills its box, or the largest part of it that keeps its shape, in the middle.
+    // The picture fills its box, or the largest part of it that keeps its shape.
     const glm::dvec2 pixels(picture.shown.image.width, picture.shown.image.height);
     glm::dvec2 scale = pixels / element.size;
-    if (!element.aspect.starts_with("none")) {
-      const bool slices = element.aspect.ends_with("slice");
-      scale = glm::dvec2(slices ? std::min(scale.x, scale.y) : std::max(scale.x, scale.y));
-    }
-    const SvgTransform fit{scale.x,
-                           0,
-                           0,
-                           scale.y,
-                           0.5 * (pixels.x - scale.x * element.size.x),
-                           0.5 * (pixels.y - scale.y * element.size.y)};
+    const SvgAspect& aspect = element.aspect;
+    if (!aspect.stretches) scale = glm::dvec2(aspect.slices ? std::min(scale.x, scale.y) : std::max(scale.x, scale.y));
+    const glm::dvec2 before = aspect.align * (pixels - scale * element.size);
+    const SvgTransform fit{scale.x, 0, 0, scale.y, before.x, before.y};
     picture.to_pixels = fit * translation(-element.position) * inverse(element.to_page).value();
     return read_.emplace(index, std::move(picture)).first->second;
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -65,6 +66,20 @@ class AtOnce final : public httplib::TaskQueue {
   void shutdown() override {}
 };
 
+/// One of some places, while it lives.
+class TakenPlace {
+ public:
+  explicit TakenPlace(std::atomic<int>& left) : left_(left), is_there_(left.fetch_sub(1) > 0) {}
+  ~TakenPlace() { left_.fetch_add(1); }
+  TakenPlace(const TakenPlace&) = delete;
+  TakenPlace& operator=(const TakenPlace&) = delete;
+  bool is_there() const { return is_there_; }
+
+ private:
+  std::atomic<int>& left_;
+  bool is_there_;
+};
+
 /// Connections wait for their heads without a thread of their own; complete ones are answered in parallel.
 class HeadsFirst final : public httplib::Server {
  public:
@@ -73,7 +88,9 @@ class HeadsFirst final : public httplib::Server {
   void serve() {
     // If the system gives few threads, the library would wait forever for the others. One thread listens, one reads
     // heads.
-    httplib::ThreadPool answering(static_cast<std::size_t>(std::max(1, threads_given(max_requests) - 2)));
+    const int threads = std::max(1, threads_given(max_requests) - 2);
+    bodies_.store(std::max(1, threads / 2));
+    httplib::ThreadPool answering(static_cast<std::size_t>(threads));
     {
       WaitingHeads heads({}, [&](Descriptor socket, std::string head) {
         auto connection =
@@ -92,6 +109,9 @@ class HeadsFirst final : public httplib::Server {
     answering.shutdown();
   }
 
+  /// How many more bodies may arrive at a time: those that come slowly leave half of the threads to others.
+  std::atomic<int>& bodies() { return bodies_; }
+
  private:
   bool process_and_close_socket(socket_t socket) override {
     heads_->add(Descriptor(socket));
@@ -99,6 +119,7 @@ class HeadsFirst final : public httplib::Server {
   }
 
   std::chrono::seconds idle_;
+  std::atomic<int> bodies_ = 1;
   WaitingHeads* heads_ = nullptr;
 };
 
@@ -159,11 +180,18 @@ struct LoopbackServer::Listener {
   /// A body must arrive within its time: the library's own limit starts anew with every byte.
   void post(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& read) {
     WebRequest wanted = known(request);
+    bool has_room = false, whole = false;
     const StopWatch watch;
-    const bool whole = read([&](const char* data, std::size_t size) {
-      wanted.body.append(data, size);
-      return wanted.body.size() <= options.max_body_bytes && watch.milliseconds() < 1000.0 * options.max_body_seconds;
-    });
+    {
+      const TakenPlace place(server.bodies());
+      has_room = place.is_there();
+      whole = has_room && read([&](const char* data, std::size_t size) {
+                wanted.body.append(data, size);
+                return wanted.body.size() <= options.max_body_bytes &&
+                       watch.milliseconds() < 1000.0 * options.max_body_seconds;
+              });
+    }
+    if (!has_room) return send(refused(503, "too many bodies arrive at once", "try again"), response);
     send(whole ? handler(wanted) : refused(408, "the body did not arrive in time"), response);
   }
 

@@ -1,21 +1,50 @@
 #include "generator/base/printable.h"
 
+#include <algorithm>
+
+#include "generator/base/utf8.h"
+
 namespace pomona {
 
+namespace {
+
+/// What a character's bytes stand for; of one of two or three bytes.
+unsigned code_of(std::string_view character) {
+  unsigned code = static_cast<unsigned char>(character[0]) & (character.size() == 2 ? 0x1fu : 0x0fu);
+  for (const char byte : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(byte) & 0x3fu);
+  return code;
+}
+
+/// Marks of direction (U+061C, U+200E, ..., U+2069), and the line and paragraph separators.
+bool turns_or_breaks(unsigned code) {
+  return code == 0x061c || code == 0x200e || code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+std::string in_hex(unsigned code, int digits) {
+  std::string text;
+  for (int i = digits - 1; i >= 0; --i) text += "0123456789abcdef"[code >> (4 * i) & 15u];
+  return text;
+}
+
+}  // namespace
+
 std::string printable(std::string_view text) {
-  constexpr char hex[] = "0123456789abcdef";
   std::string shown;
-  const auto spell = [&](unsigned char byte) { shown += std::string("\\x") + hex[byte >> 4] + hex[byte & 15]; };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
-    if (byte == 0xc2 && next >= 0x80 && next < 0xa0) {
-      spell(next);
-      ++i;
-    } else if ((byte >= 0x20 && byte != 0x7f) || byte == '\n' || byte == '\t') {
-      shown += text[i];
+  while (!text.empty()) {
+    const std::string_view character = text.substr(0, std::max<std::size_t>(1, utf8_length(text)));
+    text.remove_prefix(character.size());
+    const auto byte = static_cast<unsigned char>(character[0]);
+    const bool is_several = character.size() == 2 || character.size() == 3;
+    const unsigned code = is_several ? code_of(character) : byte;
+    const bool is_whole = character.size() > 1 || byte < 0x80;
+    if (is_several && turns_or_breaks(code)) {
+      shown += "\\u" + in_hex(code, 4);
+    } else if ((code < 0x20 && code != '\n' && code != '\t') || code == 0x7f ||
+               ((is_several || !is_whole) && code >= 0x80 && code < 0xa0)) {
+      shown += "\\x" + in_hex(code, 2);
     } else {
-      spell(byte);
+      shown += character;
     }
   }
   return shown;

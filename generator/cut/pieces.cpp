@@ -15,6 +15,7 @@
 #include "generator/cut/piece_groups.h"
 #include "generator/cut/stray_bits.h"
 #include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/signed_volume.h"
 
 namespace pomona {
 
@@ -46,11 +47,6 @@ class PairNumbers {
 };
 
 constexpr std::uint32_t unset = 0xffffffffu;
-
-/// Six times the volume between a triangle and the origin.
-double volume_under(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  return glm::dot(glm::dvec3(a), glm::cross(glm::dvec3(b), glm::dvec3(c)));
-}
 
 /// Sorted.
 std::vector<std::int32_t> each_once(std::vector<std::int32_t> numbers) {
@@ -214,14 +210,14 @@ class PieceBuilder {
     EdgeBalance edges;
     for (const glm::uvec3& t : piece.triangle) {
       const glm::vec3 &a = piece.position[t.x], &b = piece.position[t.y], &c = piece.position[t.z];
-      volume += volume_under(a, b, c);
+      volume += six_volumes(a, b, c);
       edges.add(a, b, c);
     }
     for (const CutPiece::CapTriangle& cap : piece.caps) {
       const glm::uvec3& t = section_.mesh.triangle[cap.triangle];
       const glm::vec3 &a = section_.mesh.position[t.x], &b = section_.mesh.position[cap.reversed ? t.z : t.y],
                       &c = section_.mesh.position[cap.reversed ? t.y : t.z];
-      volume += volume_under(a, b, c);
+      volume += six_volumes(a, b, c);
       edges.add(a, b, c);
     }
     piece.volume = volume / 6;
@@ -233,6 +229,7 @@ class PieceBuilder {
     std::vector<std::uint32_t> cell;
     for (const Component& component : component_) cell.push_back(component.cell);
     join(parts, piece_groups(parts, cell, section_.mesh));
+    join(parts, homes_of_held(parts, cell, section_.mesh, options_.held_parts));
     join(parts, homes_of_bits(parts, cell, section_.mesh));
     for (std::size_t i = 0; i < parts.size(); ++i) {
       parts[i].closed = edges_[i].closed();

@@ -14,6 +14,7 @@
 #include "generator/mesh/edge_map.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/enclosures.h"
+#include "generator/mesh/signed_volume.h"
 #include "generator/mesh/weld.h"
 
 namespace pomona {
@@ -54,7 +55,7 @@ struct ShellShare {
   EdgeBalance edges;
   void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     if (a == b || b == c || c == a) return;  // rounding has made it a line, where its neighbours meet
-    volume += glm::dot(glm::dvec3(a), glm::cross(glm::dvec3(b), glm::dvec3(c)));
+    volume += six_volumes(a, b, c);
     edges.add(a, b, c);
   }
 };

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/mesh/signed_volume.h"
 #include "generator/surface/outer_bodies.h"
 
 namespace pomona {
@@ -24,9 +25,7 @@ PeelDepth::Place outside_of(const TriangleTree& body, const glm::dvec3& point, d
 }
 
 double volume_of(const TriangleTree& body) {
-  double six = 0;
-  for (const TriangleTree::Corners& t : body.triangles()) six += glm::dot(t[0], glm::cross(t[1], t[2]));
-  return std::fabs(six) / 6;
+  return std::fabs(signed_volume(body.triangles(), [](const TriangleTree::Corners& t) { return t; }));
 }
 
 }  // namespace

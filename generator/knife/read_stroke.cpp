@@ -83,6 +83,7 @@ Curve curve_of(const Sketch& sketch, const SvgElement& element, double scale, co
   std::vector<Curve> curves = parse_svg_path(*shapes.front().element->d, options);
   // A subpath of one point is not a curve.
   if (curves.size() > 1) std::erase_if(curves, [](const Curve& curve) { return cleaned(curve.points).size() < 2; });
+  if (curves.empty()) fail("is empty", "draw a line");
   if (curves.size() != 1) fail("is not one line but " + std::to_string(curves.size()), "break the path apart");
   Curve curve{cleaned(curves[0].points), curves[0].closed};
   if (curve.points.size() < 2) fail("has no length", "draw a line");

@@ -114,6 +114,7 @@ Cut without_unseen(Cut cut) {
 OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
   CutOptions how = options;
   how.spared_parts = task.variant.spared;
+  how.held_parts = task.variant.held;
   const bool is_drawing = task.origin.growing.as_drawn;
   OpenedFruit fruit = opened(is_drawing ? cut(task.grown.sheets, task.knives, how)
                                         : cut(task.grown.sheets, turned_wedges(task.knives, task.variant), how));

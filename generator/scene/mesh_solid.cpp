@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/mesh/edges.h"
+#include "generator/mesh/signed_volume.h"
 #include "generator/mesh/weld.h"
 
 namespace pomona {
@@ -95,7 +96,7 @@ Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolid
   const std::vector<std::uint32_t> first = weld(position);
   const std::vector<glm::uvec3> triangle = welded_triangles(first, mesh.triangle);
   CornerVertices corner_vertices(triangle, position, mesh.position.size());
-  double six_volumes = 0;
+  double six = 0;
   for (std::size_t i = 0; i < mesh.triangle.size(); ++i) {
     if (!corner_vertices.has_area(i)) continue;
     glm::uvec3 corners(0);
@@ -114,14 +115,14 @@ Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolid
     }
     solid.mesh.triangle.push_back(corners);
     const glm::uvec3& t = triangle[i];
-    six_volumes += glm::dot(position[t.x], glm::cross(position[t.y], position[t.z]));
+    six += six_volumes(position[t.x], position[t.y], position[t.z]);
   }
   solid.mesh.part.assign(solid.mesh.position.size(), 0);
   solid.mesh.cut_face.assign(solid.mesh.triangle.size(), -1);
   solid.mesh.surface.assign(solid.mesh.triangle.size(), 0);
-  solid.volume = std::fabs(six_volumes) / 6;
+  solid.volume = std::fabs(six) / 6;
   solid.closed = is_closed(triangle);
-  if (solid.closed && six_volumes < 0) turn_outside_out(solid);
+  if (solid.closed && six < 0) turn_outside_out(solid);
   return solid;
 }
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include <glm/ext/vector_int3_sized.hpp>
@@ -13,6 +13,7 @@
 
 #include "generator/mesh/disjoint_sets.h"
 #include "generator/mesh/overlapping_boxes.h"
+#include "generator/surface/surface_tiles.h"
 
 namespace pomona {
 
@@ -24,26 +25,34 @@ using LatticePoint = glm::dvec3;
 __extension__ typedef __int128 Wide;
 constexpr double grid_steps = 1 << 29;
 
-std::vector<LatticePoint> on_grid(const DiffusionSurfaces& surfaces) {
-  const Box<double> bounds = bounds_of(surfaces);
-  const glm::dvec3 size = bounds.size();
-  const double longest = std::max({size.x, size.y, size.z});
-  const double steps_per_metre = longest > 0 ? grid_steps / longest : 0;
-  // Vertices that no triangle uses may lie anywhere. Halves are rounded up.
-  const auto step = [](double at) {
-    if (!(at >= 0)) return 0.0;
+/// Rounds positions to whole steps.
+class RoundingGrid {
+ public:
+  explicit RoundingGrid(const DiffusionSurfaces& surfaces) : bounds_(bounds_of(surfaces)) {
+    const glm::dvec3 size = bounds_.size();
+    longest_ = std::max({size.x, size.y, size.z});
+    steps_per_metre_ = longest_ > 0 ? grid_steps / longest_ : 0;
+  }
+
+  double step() const { return longest_ / grid_steps; }  ///< metres
+
+  LatticePoint at(const glm::vec3& p) const {
+    const glm::dvec3 place = (glm::dvec3(p) - bounds_.low) * steps_per_metre_;
+    return {rounded(place.x), rounded(place.y), rounded(place.z)};
+  }
+
+ private:
+  /// Halves are rounded up.
+  static double rounded(double at) {
+    if (!(at >= 0)) return 0;
     const double within = std::min(at, grid_steps);
     const auto whole = static_cast<double>(static_cast<std::int64_t>(within));
     return within - whole >= 0.5 ? whole + 1 : whole;
-  };
-  std::vector<LatticePoint> points;
-  points.reserve(surfaces.position.size());
-  for (const glm::vec3& p : surfaces.position) {
-    const glm::dvec3 at = (glm::dvec3(p) - bounds.low) * steps_per_metre;
-    points.emplace_back(step(at.x), step(at.y), step(at.z));
   }
-  return points;
-}
+
+  Box<double> bounds_;
+  double longest_ = 0, steps_per_metre_ = 0;
+};
 
 /// The exact side, 1, 0 or -1, of the plane through a with these two edges.
 int exact_side(const LatticePoint& u, const LatticePoint& v, const LatticePoint& w) {
@@ -129,62 +138,111 @@ DisjointSets pieces_of(const DiffusionSurfaces& surfaces) {
   return pieces;
 }
 
-/// The box around a triangle, less its upper faces, so that boxes which only touch do not meet. Triangles in them
-/// cannot cross properly, however their corners are rounded to the grid: rounding keeps the order. Rings of a straight
-/// fruit lie at one height, so half of all boxes that meet only touch. Empty where a number is not finite.
-Box<float> open_box_around(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  Box<float> box = box_around(a, b, c);
-  const auto is_finite = [](const glm::vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  };
-  if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return {};
+/// Whether boxes have more in common than faces. Triangles in boxes that only touch cannot cross properly, however
+/// their corners are rounded to the grid: rounding keeps the order. Rings of a straight fruit lie at one height, so
+/// half of all boxes that meet only touch.
+bool boxes_overlap(const Box<float>& a, const Box<float>& b) {
+  return (a.low.x < b.high.x) & (b.low.x < a.high.x) & (a.low.y < b.high.y) & (b.low.y < a.high.y) &
+         (a.low.z < b.high.z) & (b.low.z < a.high.z);
+}
+
+/// The box less its upper faces: such boxes meet where the whole ones overlap.
+Box<float> without_upper_faces(Box<float> box) {
   for (int i = 0; i < 3; ++i) box.high[i] = std::nextafter(box.high[i], std::numeric_limits<float>::lowest());
   return box;
 }
 
-/// Calls found(crossing) for every pair among some triangles that cross, until it returns false.
-template <typename Found>
-void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::uint32_t>& triangles,
-                     const Found& found) {
-  // Finds triangles that could meet.
-  const std::vector<LatticePoint> points = on_grid(surfaces);
-  std::vector<GridTriangle> corners;
-  std::vector<Box<float>> boxes;
-  corners.reserve(triangles.size());
-  boxes.reserve(triangles.size());
-  for (const std::uint32_t t : triangles) {
-    const glm::uvec3& v = surfaces.triangle[t];
-    corners.push_back(grid_triangle(points[v.x], points[v.y], points[v.z]));
-    boxes.push_back(open_box_around(surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]));
+/// Surfaces, by number.
+using ChosenSurfaces = std::vector<std::uint8_t>;
+
+/// Looks for triangles that cross, tile by tile.
+class CrossingSearch {
+ public:
+  explicit CrossingSearch(const DiffusionSurfaces& surfaces)
+      : surfaces_(surfaces), lattice_(surfaces), tiles_(surfaces, lattice_.step()), number_(surfaces.triangle_count()) {
+    box_.reserve(surfaces.triangle_count());
+    for (const glm::uvec3& v : surfaces.triangle)
+      box_.push_back(box_around(surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]));
   }
 
-  // Tests these. Connected parts matter only once something crosses.
-  std::optional<DisjointSets> pieces;
-  visit_overlapping_boxes(boxes, [&](std::uint32_t i, std::uint32_t j) {
-    const glm::uvec3 &a = surfaces.triangle[triangles[i]], &b = surfaces.triangle[triangles[j]];
-    if (share_an_edge(a, b) || !cross_properly(corners[i], corners[j])) return true;
-    if (!pieces) pieces = pieces_of(surfaces);
-    return found(CrossingTriangles{triangles[i], triangles[j], pieces->root(a.x) == pieces->root(b.x)});
-  });
-}
+  /// Calls found(crossing) for every pair of triangles of some surfaces that cross, until it returns false.
+  template <typename Found>
+  void visit(const ChosenSurfaces& chosen, const Found& found) {
+    std::vector<std::uint32_t> tile;
+    std::vector<Box<float>> boxes;
+    around_.assign(tiles_.count(), {});
+    for (std::uint32_t i = 0; i < tiles_.count(); ++i) {
+      const std::span<const std::uint32_t> triangles = tiles_.triangles(i);
+      if (triangles.empty() || chosen[static_cast<std::size_t>(surfaces_.surface[triangles.front()])] == 0) continue;
+      for (const std::uint32_t t : triangles) around_[i].add(box_[t]);
+      tile.push_back(i), boxes.push_back(without_upper_faces(around_[i]));
+    }
+    for (const std::uint32_t i : tile)
+      if (!visit_pairs(i, i, found)) return;
+    visit_overlapping_boxes(boxes,
+                            [&](std::uint32_t i, std::uint32_t j) { return visit_pairs(tile[i], tile[j], found); });
+  }
 
-std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces) {
-  std::vector<std::uint32_t> all(surfaces.triangle_count());
-  std::iota(all.begin(), all.end(), 0u);
-  return all;
-}
+ private:
+  /// False if found() was.
+  template <typename Found>
+  bool visit_pairs(std::uint32_t one, std::uint32_t other, const Found& found) {
+    if (tiles_.are_clear(one, other)) return true;
+    near_.clear();
+    for (const std::uint32_t t : tiles_.triangles(other))
+      if (boxes_overlap(box_[t], around_[one])) near_.push_back(t);
+    for (const std::uint32_t s : tiles_.triangles(one)) {
+      if (!boxes_overlap(box_[s], around_[other])) continue;
+      for (const std::uint32_t t : near_) {
+        if ((one == other && t <= s) || !boxes_overlap(box_[s], box_[t])) continue;
+        if (cross(s, t) && !found(crossing(std::min(s, t), std::max(s, t)))) return false;
+      }
+    }
+    return true;
+  }
 
-/// The triangles of the surfaces of these kinds.
-std::vector<std::uint32_t> triangles_of(const DiffusionSurfaces& surfaces, const std::set<CrossingKind>& kinds) {
-  std::vector<std::uint8_t> counts(surfaces.surface_names.size(), 0);
+  bool cross(std::uint32_t s, std::uint32_t t) {
+    if (share_an_edge(surfaces_.triangle[s], surfaces_.triangle[t])) return false;
+    const std::uint32_t one = rounded(s), other = rounded(t);
+    return cross_properly(rounded_[one], rounded_[other]);
+  }
+
+  /// The number of a triangle on the lattice: few are ever asked for.
+  std::uint32_t rounded(std::uint32_t triangle) {
+    if (number_[triangle] == 0) {
+      const glm::uvec3& v = surfaces_.triangle[triangle];
+      const auto at = [&](std::uint32_t vertex) { return lattice_.at(surfaces_.position[vertex]); };
+      rounded_.push_back(grid_triangle(at(v.x), at(v.y), at(v.z)));
+      number_[triangle] = static_cast<std::uint32_t>(rounded_.size());
+    }
+    return number_[triangle] - 1;
+  }
+
+  /// Connected parts matter only once something crosses.
+  CrossingTriangles crossing(std::uint32_t first, std::uint32_t second) {
+    if (!pieces_) pieces_ = pieces_of(surfaces_);
+    const std::uint32_t a = surfaces_.triangle[first].x, b = surfaces_.triangle[second].x;
+    return {first, second, pieces_->root(a) == pieces_->root(b)};
+  }
+
+  const DiffusionSurfaces& surfaces_;
+  RoundingGrid lattice_;
+  SurfaceTiles tiles_;
+  std::vector<Box<float>> box_;        // per triangle
+  std::vector<Box<float>> around_;     // per tile
+  std::vector<std::uint32_t> near_;    // triangles of one tile that could meet the other
+  std::vector<std::uint32_t> number_;  // per triangle: one more than its place in rounded_, or 0
+  std::vector<GridTriangle> rounded_;
+  std::optional<DisjointSets> pieces_;
+};
+
+ChosenSurfaces surfaces_of(const DiffusionSurfaces& surfaces, const std::set<CrossingKind>& kinds) {
+  ChosenSurfaces chosen(surfaces.surface_names.size(), 0);
   for (const auto& [a, b, same_piece] : kinds) {
     for (const std::int32_t surface : {a, b})
-      if (static_cast<std::size_t>(surface) < counts.size()) counts[static_cast<std::size_t>(surface)] = 1;
+      if (static_cast<std::size_t>(surface) < chosen.size()) chosen[static_cast<std::size_t>(surface)] = 1;
   }
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t)
-    if (counts[static_cast<std::size_t>(surfaces.surface[t])] != 0) triangles.push_back(t);
-  return triangles;
+  return chosen;
 }
 
 }  // namespace
@@ -202,7 +260,8 @@ std::set<CrossingKind> kinds_of(const DiffusionSurfaces& surfaces, const std::ve
 
 std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfaces) {
   std::vector<CrossingTriangles> found;
-  visit_crossings(surfaces, all_triangles(surfaces), [&](const CrossingTriangles& crossing) {
+  const ChosenSurfaces all(surfaces.surface_names.size(), 1);
+  CrossingSearch(surfaces).visit(all, [&](const CrossingTriangles& crossing) {
     found.push_back(crossing);
     return true;
   });
@@ -219,7 +278,7 @@ std::set<CrossingKind> crossing_kinds(const DiffusionSurfaces& surfaces) {
 std::set<CrossingKind> crossing_kinds_of(const DiffusionSurfaces& surfaces, const std::set<CrossingKind>& wanted) {
   std::set<CrossingKind> found;
   if (wanted.empty()) return found;
-  visit_crossings(surfaces, triangles_of(surfaces, wanted), [&](const CrossingTriangles& crossing) {
+  CrossingSearch(surfaces).visit(surfaces_of(surfaces, wanted), [&](const CrossingTriangles& crossing) {
     const CrossingKind kind = kind_of(surfaces, crossing);
     if (wanted.contains(kind)) found.insert(kind);
     return found.size() < wanted.size();

@@ -1,13 +1,21 @@
 #include "generator/surface/edge_leaves.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/reproducible.h"
+#include "generator/base/units.h"
 
 namespace pomona {
+
+bool at_one_angle(const EdgeLeaf& a, const EdgeLeaf& b) {
+  constexpr double same_angle = 1e-6;
+  const double apart = std::fabs(b.angle - a.angle);
+  return std::min(apart, 2 * pi - apart) <= same_angle;
+}
 
 std::vector<EdgeLeaf> leaves_around(std::span<const HalfEdge> edge, std::span<const glm::uvec3> triangles,
                                     std::span<const glm::vec3> position) {

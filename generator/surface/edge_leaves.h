@@ -18,6 +18,9 @@ struct EdgeLeaf {
   std::uint32_t triangle = 0;
 };
 
+/// True if the two lie at one angle, to 1e-6 radians.
+bool at_one_angle(const EdgeLeaf& a, const EdgeLeaf& b);
+
 /// By angle. Of leaves at one angle those come first where solid ends: solids that touch face to face end before the
 /// next one starts.
 /// \param triangles welded, facing air

@@ -9,6 +9,7 @@
 
 #include "generator/mesh/disjoint_sets.h"
 #include "generator/mesh/edges.h"
+#include "generator/mesh/signed_volume.h"
 #include "generator/mesh/weld.h"
 
 namespace pomona {
@@ -77,15 +78,11 @@ class RegionFinder {
   bool is_air_behind(std::uint32_t t) const { return surfaces_.is_boundary(t) && surfaces_.is_hidden(t, SideOf::back); }
 
   double volume_of(const std::vector<glm::uvec3>& hull) const {
-    const glm::dvec3 origin(surfaces_.position[hull.front().x]);
-    double six = 0;
-    for (const glm::uvec3& t : hull) {
-      const glm::dvec3 a = glm::dvec3(surfaces_.position[t.x]) - origin,
-                       b = glm::dvec3(surfaces_.position[t.y]) - origin,
-                       c = glm::dvec3(surfaces_.position[t.z]) - origin;
-      six += glm::dot(a, glm::cross(b, c));
-    }
-    return six / 6;
+    const auto at = [&](std::uint32_t v) { return glm::dvec3(surfaces_.position[v]); };
+    const glm::dvec3 origin = at(hull.front().x);
+    return signed_volume(hull, [&](const glm::uvec3& t) -> std::array<glm::dvec3, 3> {
+      return {at(t.x) - origin, at(t.y) - origin, at(t.z) - origin};
+    });
   }
 
   std::int32_t part_inside(const std::vector<std::uint32_t>& hull, bool front_is_outside) const {

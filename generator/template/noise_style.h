@@ -14,6 +14,10 @@ namespace pomona {
 /// represent these numbers together with all lattice indices.
 constexpr std::uint32_t max_pattern = (1u << 24) - (1u << 13);
 
+/// What graphics cards have room for.
+constexpr int max_noise_keys = 16;
+constexpr int max_noise_bands = 8;
+
 /// Perlin modulation keyed by the unmodulated colour (paper, section 5; docs/reference/style.md).
 struct NoiseKey {
   Color color;

@@ -65,6 +65,7 @@ struct Template {
   double density = 1000;          ///< kg per cubic metre; that of water where nothing says otherwise
   std::vector<double> densities;  ///< likewise, one per part; or none: all parts have that of the fruit
   std::vector<int> spared;        ///< parts that knives leave whole in one piece; ascending
+  std::vector<int> held;          ///< parts that, cut loose, stay with the piece that they lie against; ascending
 };
 
 /// The heights of the lowest and highest point of all vertical curves, metres; 0 and 0 without any.

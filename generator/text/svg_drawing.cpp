@@ -2,14 +2,17 @@
 #include "generator/text/svg_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <pugixml.hpp>
 
 #include "generator/base/units.h"
 #include "generator/text/svg_shapes.h"
+#include "generator/text/svg_style.h"
 #include "generator/text/text_places.h"
 
 namespace pomona {
@@ -20,6 +23,7 @@ constexpr std::size_t max_bytes = std::size_t{64} << 20;  // limit of a file, wi
 constexpr std::size_t max_elements = 200000, max_attributes = 4000000;
 constexpr std::size_t max_path_bytes = std::size_t{256} << 10;  // limit of a path: some 5000 nodes
 constexpr int deepest = 64;
+constexpr std::size_t max_style_rules = 200;  // limit of rules that concern geometry: each is held against each element
 
 std::string at_place(const std::string& file, int line, int column) {
   return file + ":" + std::to_string(line) + ":" + std::to_string(column);
@@ -113,25 +117,41 @@ std::string name_behind(std::string_view id) {
   return is_number ? name.substr(0, number) : name;
 }
 
-/// A CSS property that moves what it styles; Inkscape writes attributes instead.
-bool style_moves(std::string_view style) {
-  for (std::size_t at = style.find("transform"); at != std::string_view::npos; at = style.find("transform", at + 1)) {
-    const bool starts = at == 0 || style[at - 1] == ';' || style[at - 1] == ' ';
-    const std::size_t after = style.find_first_not_of(' ', at + 9);
-    if (starts && after != std::string_view::npos && style[after] == ':') return true;
-  }
-  return false;
-}
-
 bool is_container_of_what_is_not_drawn(std::string_view tag) {
   constexpr std::string_view tags[] = {"defs", "symbol", "clipPath", "mask", "pattern", "marker"};
   return std::find(std::begin(tags), std::end(tags), tag) != std::end(tags);
 }
 
+/// Collects the style sheets of a drawing, wherever they stand.
+struct StyleSheets : pugi::xml_tree_walker {
+  bool for_each(pugi::xml_node& node) override {
+    std::string_view name = node.name();
+    if (const std::size_t colon = name.find(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
+    if (name != "style") return true;
+    for (const pugi::xml_node& child : node.children()) text += child.value();
+    text += "\n";
+    return true;
+  }
+  std::string text;
+};
+
+std::vector<SvgStyleRule> style_rules_of(pugi::xml_document& document, const std::string& file) {
+  StyleSheets sheets;
+  document.traverse(sheets);
+  std::vector<SvgStyleRule> rules = geometry_rules(sheets.text);
+  if (rules.size() > max_style_rules) {
+    throw BadSketch(at_place(file, 1, 1) + ": its style sheets move or shape things by more than " +
+                        std::to_string(max_style_rules) + " rules",
+                    "save it from Inkscape as \"Inkscape SVG\"");
+  }
+  return rules;
+}
+
 /// Reads the elements below a root; each inherits from the one around it.
 class SvgReader {
  public:
-  SvgReader(std::string_view text, SvgDrawing& drawing) : places_(text, drawing.file), drawing_(drawing) {}
+  SvgReader(std::string_view text, std::vector<SvgStyleRule> rules, SvgDrawing& drawing)
+      : places_(text, drawing.file), rules_(std::move(rules)), drawing_(drawing) {}
 
   void read(const pugi::xml_node& node, const SvgElement& around, int depth, const Namespaces& outer) {
     if (node.type() != pugi::node_element) return;
@@ -146,6 +166,8 @@ class SvgReader {
     }
     const bool is_nested_page = tag == "svg" && depth > 0;
     if (is_nested_page) drawing_.elements[index].fault = "lies in a page within the page (a nested <svg>)";
+    if (tag == "symbol" && node.attribute("viewBox"))
+      drawing_.elements[index].fault = "lies in a symbol with a page of its own (viewBox)";
     const SvgElement inherited = drawing_.elements[index];
     for (const pugi::xml_node& child : node.children()) read(child, inherited, depth + 1, names);
     drawing_.elements[index].end = drawing_.elements.size();
@@ -180,15 +202,20 @@ class SvgReader {
     return behind == id ? std::string() : behind;
   }
 
-  static void place(const pugi::xml_node& node, const SvgElement& around, SvgElement& result) {
+  void place(const pugi::xml_node& node, const SvgElement& around, SvgElement& result) const {
     result.around = around.to_page;
     const auto own = parse_svg_transform(node.attribute("transform").value());
     if (!own) {
       result.fault = "has a transform that cannot be read";
-    } else if (node.attribute("transform-origin") || style_moves(node.attribute("style").value())) {
-      result.fault = "is moved by its style (CSS)";
     } else {
       result.to_page = around.to_page * *own;
+      const SvgStyled styled{.tag = result.tag,
+                             .id = result.id,
+                             .classes = node.attribute("class").value(),
+                             .style = node.attribute("style").value()};
+      const std::string fault =
+          node.attribute("transform-origin") ? "is moved by its style (CSS)" : style_fault(styled, rules_);
+      if (!fault.empty()) result.fault = fault;
     }
     if (!(largest_stretch(result.to_page) <= 1e9)) result.fault = "is scaled beyond all measure";
   }
@@ -209,11 +236,17 @@ class SvgReader {
     result.href = node.attribute("href").value();
     if (result.href.empty()) result.href = names.attribute(node, xlink_space, "href");
     result.position = {parse_svg_length(attribute("x")).value_or(0), parse_svg_length(attribute("y")).value_or(0)};
+    constexpr std::array lengths{"x", "y", "width", "height"};
+    const bool is_image = result.tag == "image";  // a clone has no size of its own
+    const std::string fault = length_fault(std::span(lengths).first(is_image ? 4 : 2), attribute);
+    if (!fault.empty()) result.fault = fault;
+    if (!is_image) return;
     result.size = {parse_svg_length(attribute("width")).value_or(0), parse_svg_length(attribute("height")).value_or(0)};
-    result.aspect = attribute("preserveAspectRatio");
+    result.aspect = parse_svg_aspect(attribute("preserveAspectRatio"));
   }
 
   TextPlaces places_;
+  std::vector<SvgStyleRule> rules_;
   SvgDrawing& drawing_;
 };
 
@@ -238,7 +271,11 @@ std::optional<double> page_unit_of(const pugi::xml_node& root) {
   const double box_width = numbers->c, box_height = numbers->d;
   std::optional<double> unit;
   if (width && box_width > 0) unit = *width / box_width;
-  if (height && box_height > 0) unit = unit ? std::min(*unit, *height / box_height) : *height / box_height;
+  if (height && box_height > 0) {
+    const double by_height = *height / box_height;
+    const bool slices = parse_svg_aspect(root.attribute("preserveAspectRatio").value()).slices;
+    unit = !unit ? by_height : slices ? std::max(*unit, by_height) : std::min(*unit, by_height);
+  }
   return unit && *unit >= 1e-6 && *unit <= 1 ? unit : std::nullopt;
 }
 
@@ -264,6 +301,13 @@ void check_page(const pugi::xml_node& root, const std::string& file) {
   const auto numbers = parse_svg_transform("matrix(" + std::string(box) + " 0 0)");
   if (!numbers) refuse("viewBox", box, "is not four numbers");
   if (!(numbers->c > 0 && numbers->d > 0)) refuse("viewBox", box, "has no size");
+
+  const std::string_view aspect = root.attribute("preserveAspectRatio").value();
+  const std::optional<double> width = parse_svg_length(root.attribute("width").value());
+  const std::optional<double> height = parse_svg_length(root.attribute("height").value());
+  const bool keeps_shape = !width || !height || std::abs(*width / numbers->c * numbers->d / *height - 1) < 1e-3;
+  if (!keeps_shape && parse_svg_aspect(aspect).stretches)
+    refuse("preserveAspectRatio", aspect, "stretches the drawing");
 }
 
 void check_size(std::string_view text, const std::string& file) {
@@ -300,7 +344,8 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
 
   // The text must be XML; errors are told by line and column.
   pugi::xml_document document;
-  const unsigned options = pugi::parse_minimal | pugi::parse_escapes | pugi::parse_wconv_attribute;
+  const unsigned options =
+      pugi::parse_minimal | pugi::parse_escapes | pugi::parse_wconv_attribute | pugi::parse_cdata;  // style sheets
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size(), options, pugi::encoding_utf8);
   if (!result) {
     const SourcePlace at = TextPlaces(text, file).at(static_cast<std::size_t>(result.offset));
@@ -320,7 +365,7 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
   }
   check_page(root, file);
   drawing.page_unit = page_unit_of(root);
-  SvgReader(text, drawing).read(root, {}, 0, {});
+  SvgReader(text, style_rules_of(document, file), drawing).read(root, {}, 0, {});
   return drawing;
 }
 

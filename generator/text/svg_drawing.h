@@ -11,6 +11,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "generator/text/svg_aspect.h"
 #include "generator/text/svg_transform.h"
 
 namespace pomona {
@@ -35,7 +36,7 @@ struct SvgElement {
   std::optional<glm::dvec2> center;  ///< centre of a circle, ellipse or rectangle
   std::string href;                  ///< link of an image or a clone (<use>)
   glm::dvec2 position{0}, size{0};   ///< position and size of an image or a clone
-  std::string aspect;                ///< an image's preserveAspectRatio
+  SvgAspect aspect;                  ///< of an image
 };
 
 struct SvgDrawing {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 #include "generator/base/number_text.h"
@@ -13,28 +12,6 @@ namespace pomona {
 namespace {
 
 std::string in_words(const glm::dvec2& p) { return number_text(p.x) + " " + number_text(p.y); }
-
-/// The lengths of a shape.
-std::span<const char* const> lengths_of(std::string_view tag) {
-  static constexpr std::array circle{"cx", "cy", "r"};
-  static constexpr std::array line{"x1", "y1", "x2", "y2"};
-  static constexpr std::array ellipse{"cx", "cy", "rx", "ry"};
-  static constexpr std::array rect{"x", "y", "width", "height", "rx", "ry"};
-  if (tag == "circle") return circle;
-  if (tag == "line") return line;
-  if (tag == "ellipse") return ellipse;
-  return tag == "rect" ? std::span<const char* const>(rect) : std::span<const char* const>();
-}
-
-/// Why a length of the shape cannot be read; empty if all can.
-std::string fault_of(std::string_view tag, const SvgAttribute& attribute) {
-  for (const char* name : lengths_of(tag)) {
-    const std::string_view text = attribute(name);
-    if (text.empty() || text == "auto" || parse_svg_length(text)) continue;
-    return "has a length that cannot be read: " + std::string(name) + "=\"" + std::string(text.substr(0, 40)) + "\"";
-  }
-  return {};
-}
 
 double number(const SvgAttribute& attribute, const char* name) { return parse_svg_length(attribute(name)).value_or(0); }
 
@@ -78,6 +55,26 @@ glm::dvec2 corner_radii(const SvgAttribute& attribute, const glm::dvec2& size) {
 
 }  // namespace
 
+std::span<const char* const> lengths_of(std::string_view tag) {
+  static constexpr std::array circle{"cx", "cy", "r"};
+  static constexpr std::array line{"x1", "y1", "x2", "y2"};
+  static constexpr std::array ellipse{"cx", "cy", "rx", "ry"};
+  static constexpr std::array rect{"x", "y", "width", "height", "rx", "ry"};
+  if (tag == "circle") return circle;
+  if (tag == "line") return line;
+  if (tag == "ellipse") return ellipse;
+  return tag == "rect" ? std::span<const char* const>(rect) : std::span<const char* const>();
+}
+
+std::string length_fault(std::span<const char* const> names, const SvgAttribute& attribute) {
+  for (const char* name : names) {
+    const std::string_view text = attribute(name);
+    if (text.empty() || text == "auto" || parse_svg_length(text)) continue;
+    return "has a length that cannot be read: " + std::string(name) + "=\"" + std::string(text.substr(0, 40)) + "\"";
+  }
+  return {};
+}
+
 std::optional<double> parse_svg_length(std::string_view text) {
   // CSS has 96 pixels per inch.
   constexpr std::pair<std::string_view, double> units[] = {
@@ -97,7 +94,7 @@ std::optional<double> parse_svg_length(std::string_view text) {
 }
 
 std::optional<SvgShape> shape_of(std::string_view tag, const SvgAttribute& attribute) {
-  if (const std::string fault = fault_of(tag, attribute); !fault.empty())
+  if (const std::string fault = length_fault(lengths_of(tag), attribute); !fault.empty())
     return SvgShape{.d = {}, .center = {}, .fault = fault};
   if (tag == "path") {
     // Inkscape also writes a circle as a path, with its centre.

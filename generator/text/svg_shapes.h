@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,12 @@ using SvgAttribute = std::function<std::string_view(const char* name)>;
 
 /// A length in units of the page: "12", "12px", "3mm". Nothing for percentages and other texts.
 std::optional<double> parse_svg_length(std::string_view text);
+
+/// The attributes of a basic shape that are lengths.
+std::span<const char* const> lengths_of(std::string_view tag);
+
+/// Why one of these lengths cannot be read; empty if all can.
+std::string length_fault(std::span<const char* const> names, const SvgAttribute& attribute);
 
 struct SvgShape {
   std::string d;

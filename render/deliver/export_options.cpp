@@ -19,16 +19,19 @@ ExportOptions export_options(const Order& order, const DeliverOptions& how) {
           .compress = order.mesh.compress,
           .up = order.mesh.up,
           .hulls = order.mesh.hulls,
-          .welded = order.mesh.welded};
+          .welded = order.mesh.welded,
+          .atlas = order.mesh.atlas};
 }
 
 std::optional<BakeOptions> bake_options(const Order& order) {
   if (!wants_textures(order.mesh)) return {};
-  // Maps are for .glb alone.
-  const bool has_maps = order.mesh.maps == Maps::all && any_is(order.outputs, {Format::glb});
+  // Maps are for .glb; and for .usda where they take the place of materials.
+  const bool has_atlas = order.mesh.atlas != AtlasOf::none;
+  const bool takes_maps = any_is(order.outputs, {Format::glb}) || (has_atlas && any_is(order.outputs, {Format::usda}));
+  const bool has_maps = order.mesh.maps == Maps::all && takes_maps;
   BakeOptions how{.texel = order.mesh.texel.metres,
                   .maps = has_maps ? Maps::all : Maps::color,
-                  .looks = has_maps && order.mesh.atlas != AtlasOf::none,
+                  .looks = has_maps && has_atlas,
                   .threads = order.threads};
   if (order.mesh.texture > 0) how.texels = order.mesh.texture;
   return how;

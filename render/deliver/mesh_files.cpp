@@ -162,13 +162,14 @@ Delivered usda_files(const Output& output, const Scene& scene, const ReadyMeshes
                      const DeliverOptions& how) {
   const ExportOptions options = export_options(order, how);
   Delivered delivered;
-  if (!wants_textures(order.mesh)) {
-    delivered.add(output.file, [&] { return write_usda(scene, options, ready.levels); });
-    return delivered;
-  }
   const std::string stem = output.file.stem().string();
-  UsdaFiles made = delivered.times.time(
-      "write", [&] { return write_usda(scene, ready.baked, stem, options, ready.coarser, ready.variants); });
+  UsdaFiles made = delivered.times.time("write", [&] {
+    if (!wants_textures(order.mesh)) return write_usda(scene, stem, options, ready.levels);
+    const bool is_one = order.mesh.atlas == AtlasOf::file;
+    const ReadyMeshes paged = is_one ? on_one_atlas(ready) : ReadyMeshes{};
+    const ReadyMeshes& meshes = is_one ? paged : ready;
+    return write_usda(scene, meshes.baked, stem, options, meshes.coarser, meshes.variants);
+  });
   delivered.files.push_back({.file = {output.file, std::move(made.text)}});
   for (NamedFile& file : made.textures)
     delivered.files.push_back({.file = {output.file.parent_path() / file.name, std::move(file.bytes)}});

@@ -28,6 +28,7 @@ struct ExportOptions {
   UpAxis up = UpAxis::y;                     ///< USD: the axis that points up
   int hulls = 1;                             ///< convex parts, at most, that a piece collides with
   bool welded = false;                       ///< USD, MJCF: pieces of one cut are joined where they touch
+  AtlasOf atlas = AtlasOf::none;             ///< what shares a material, where vertices have the colours
 };
 
 /// One solid, welded: no two vertices have all attributes equal, each vertex is used, and no triangle has two corners
@@ -41,6 +42,7 @@ struct StyledMesh {
   std::vector<DetailFace> face;     ///< the kind of face on which the vertex lies
   std::vector<glm::vec2> uv;        ///< into a baked texture, (0, 0) its upper left corner; else empty
   std::vector<glm::vec4> tangent;   ///< tangents for a normal map; else empty
+  std::vector<glm::vec2> look_place = {};  ///< into a palette of looks (look_palette.h), beside colours; else empty
 
   std::vector<glm::uvec3> triangle;    ///< counter-clockwise seen from the air
   std::vector<std::int32_t> cut_face;  ///< per triangle, as in Solid

@@ -13,10 +13,6 @@
 
 namespace pomona {
 
-/// Further keys and bands are ignored, on the CPU and on the GPU.
-constexpr int max_noise_keys = 16;
-constexpr int max_noise_bands = 8;
-
 /// The noise of band `band` at a fruit's position, in [-1, 1], before weights and band limit.
 ///
 /// With stretch (1, 1, 1): gradient_noise(f p + offset), f = base_frequency 2^band. Otherwise the lattice lies

@@ -1,16 +1,15 @@
 #include "render/texture/look_texels.h"
 
 #include <algorithm>
-
-#include "render/style/pbr_look.h"
-
 namespace pomona {
 
 namespace {
 
 Color color_of(const std::array<double, 3>& linear) { return Color(glm::dvec3(linear[0], linear[1], linear[2])); }
 
-LookTexel texel_of(const PbrMaterial& look) {
+}  // namespace
+
+LookTexel look_texel(const PbrMaterial& look) {
   return {.coat = Color(glm::dvec3(look.clearcoat, look.clearcoat_roughness, 0)),
           .specular = static_cast<float>(look.specular),
           .sheen = color_of(look.sheen),
@@ -19,21 +18,19 @@ LookTexel texel_of(const PbrMaterial& look) {
           .light_share = static_cast<float>(look.transmission)};
 }
 
-}  // namespace
-
 LookTexels::LookTexels(const Solid& solid) : solid_(solid) {
   // Without materials all parts have the look of what is not described.
   const bool has_materials = !solid.look->materials.empty();
   for (std::size_t part = 0; part < std::max<std::size_t>(solid.look->part_names.size(), 1); ++part) {
     const MaterialSketch material = material_of(solid, static_cast<std::int32_t>(part));
-    of_part_.push_back({has_materials ? texel_of(look_of(material, false)) : LookTexel{},
-                        has_materials ? texel_of(look_of(material, true)) : LookTexel{}});
+    of_part_.push_back({has_materials ? look_texel(look_of(material, false)) : LookTexel{},
+                        has_materials ? look_texel(look_of(material, true)) : LookTexel{}});
   }
   for (std::uint32_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const LookTexel& look = of(t);
-    any_coat_ = any_coat_ || look.coat.r > 0 || look.specular < 1;
-    any_sheen_ = any_sheen_ || look.sheen != Color(0);
-    any_light_ = any_light_ || look.light_share > 0;
+    any_coat_ = any_coat_ || look.has_coat();
+    any_sheen_ = any_sheen_ || look.has_sheen();
+    any_light_ = any_light_ || look.lets_light_through();
   }
 }
 

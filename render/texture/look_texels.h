@@ -7,6 +7,7 @@
 
 #include "generator/base/color.h"
 #include "generator/piece/solid.h"
+#include "render/style/pbr_look.h"
 
 namespace pomona {
 
@@ -18,7 +19,13 @@ struct LookTexel {
   float sheen_roughness = 1;  ///< 1 where there is no sheen, too: shaders divide by it
   Color light{1};
   float light_share = 0;
+
+  bool has_coat() const { return coat.r > 0 || specular < 1; }
+  bool has_sheen() const { return sheen != Color(0); }
+  bool lets_light_through() const { return light_share > 0; }
 };
+
+LookTexel look_texel(const PbrMaterial& look);
 
 /// The looks of all parts of a solid.
 class LookTexels {

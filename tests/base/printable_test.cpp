@@ -18,6 +18,14 @@ TEST(Printable, SpellsOutWhatMovesACursor) {
   EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
 }
 
+TEST(Printable, SpellsOutWhatTurnsOrBreaksALine) {
+  EXPECT_EQ(printable("a\xe2\x80\xae.toml\xe2\x81\xa9\xd8\x9c\xe2\x80\xa8"), "a\\u202e.toml\\u2069\\u061c\\u2028");
+  EXPECT_EQ(printable("\x9b"
+                      "2J\xe6\x9b\xbf"),
+            "\\x9b2J\xe6\x9b\xbf")
+      << "a byte that belongs to no character; as part of one it stays";
+}
+
 TEST(Printable, LeavesWordsLinesAndTabs) {
   const std::string text = "K\xc3\xbcrbis\t\xe6\x9f\xbf\n\xc2\xa0";
   EXPECT_EQ(printable(text), text);

@@ -277,6 +277,48 @@ TEST_F(Sampled, MayComeFromAnEmbeddedPicture) {
   expect_colors({{120, 160, 40}, {40, 40, 40}});
 }
 
+/// The picture is twice as wide as it is high. Its left half is red, its right half blue.
+TEST_F(Sampled, AreWhereThePictureLiesInItsBox) {
+  constexpr const char* halves =
+      "iVBORw0KGgoAAAANSUhEUgAAAAQAAAACCAIAAADwyuo0AAAAE0lEQVR42mP4z8AARGDiPwMyBwBnsgf595JWggAAAABJRU5ErkJg"
+      "gg==";
+  const auto colour_at = [&](int x, const std::string& box) {
+    draw("<image " + box + R"( xlink:href="data:image/png;base64,)" + std::string(halves) + "\"/>",
+         "<path id=\"colours\" d=\"M" + std::to_string(x) + ",40 V39\"/>", R"({ sample = "#colours", stops = 2 })");
+    const Outcome outcome = sample();
+    return outcome.status == 0 ? (colors()[0].x > 128 ? "red" : "blue") : "beside";
+  };
+  const std::string wide = R"(x="0" y="0" width="180" height="60" preserveAspectRatio=")",
+                    high = R"(x="0" y="0" width="60" height="60" preserveAspectRatio=")";
+  // It is 120 wide.
+  EXPECT_STREQ(colour_at(10, wide + "xMinYMid\""), "red");
+  EXPECT_STREQ(colour_at(70, wide + "xMinYMid meet\""), "blue");
+  EXPECT_STREQ(colour_at(130, wide + "xMinYMid meet\""), "beside");
+  EXPECT_STREQ(colour_at(70, wide + "\""), "red");
+  EXPECT_STREQ(colour_at(110, wide + "xMaxYMin\""), "red");
+  EXPECT_STREQ(colour_at(50, wide + "xMaxYMin\""), "beside");
+  EXPECT_STREQ(colour_at(70, wide + "none\""), "red");
+  EXPECT_STREQ(colour_at(50, high + "xMinYMid slice\""), "red");
+  EXPECT_STREQ(colour_at(10, high + "xMaxYMid slice\""), "blue");
+  EXPECT_STREQ(colour_at(40, high + "xMidYMid slice\""), "blue");
+}
+
+TEST_F(Sampled, APictureWhosePlaceIsNotKnownIsNamed) {
+  write(folder_ / "photo.png", gradient());
+  const std::string line = R"(<path id="colours" d="M40,20 L80,50"/>)", color = R"({ sample = "#colours" })";
+  for (const auto& [image, why] :
+       {std::pair{R"(width="50%" height="50")", "a length that cannot be read: width=\"50%\""},
+        {R"(width="50")", "does not say how large it is"},
+        {R"(width="50" height="50" style="x:9px")", "has its shape from its style (CSS)"},
+        {R"(width="50" height="50" transform="none")", "a transform that cannot be read"}}) {
+    draw("<image " + std::string(image) + R"( xlink:href="photo.png"/>)", line, color);
+    const Outcome outcome = sample();
+    EXPECT_EQ(outcome.status, 65) << why;
+    EXPECT_THAT(outcome.err, HasSubstr("fig.svg:5:1")) << why;
+    EXPECT_THAT(outcome.err, HasSubstr(why));
+  }
+}
+
 TEST_F(Sampled, WhatIsTransparentIsNoPicture) {
   // Four pixels, RGBA: red, red but transparent, green, green. (Made by ImageMagick.)
   constexpr const char* cut_out =

@@ -139,6 +139,23 @@ class Strangers(WithAFruit):
         for wire in slow:
             wire.close()
 
+    def test_any_number_of_slow_bodies_keeps_nobody_out(self):
+        slow = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(60)]
+        for wire in slow:
+            wire.sendall(f"POST /api/change HTTP/1.1\r\nHost: {self.host}\r\nX-Pomona-Token: {self.server.token}\r\n"
+                         "Content-Type: application/json\r\nContent-Length: 1000\r\n\r\n{".encode())
+        time.sleep(0.5)
+        began = time.monotonic()
+        self.server.json("/api/state")
+        self.assertLess(time.monotonic() - began, 3)
+        replies = []
+        for wire in slow:
+            wire.settimeout(0.1)
+            with contextlib.suppress(OSError):
+                replies.append(wire.recv(100)[:12])
+            wire.close()
+        self.assertIn(b"HTTP/1.1 503", replies)
+
     def test_a_head_without_end_is_not_kept(self):
         with socket.create_connection(("127.0.0.1", self.server.port), timeout=10) as wire, self.assertRaises(OSError):
             for _ in range(1000):

@@ -1,6 +1,10 @@
 // Loose bits stay with the piece on which they lie.
 #include "generator/cut/stray_bits.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "generator/cut/cut.h"
@@ -48,6 +52,52 @@ TEST(StrayBits, StayOnTheirSideOfTheKnife) {
   ASSERT_EQ(result.pieces.size(), 2u);
   const auto [less, more] = std::minmax(result.pieces[0].volume, result.pieces[1].volume);
   EXPECT_NEAR(more - less, 0.004 * 0.004 * 0.002, 1e-10);
+}
+
+// ---- Held parts ----
+
+/// A box with a stack of plates on its front half, each `gap` metres above what is below, and each thicker than a bit.
+DiffusionSurfaces box_with_plates(double gap, int count) {
+  shapes::Paint leaf = shapes::skin_paint();
+  leaf.name = "leaf";
+  leaf.front_part = leaf.back_part = "leaf";
+  DiffusionSurfaces all = shapes::box(glm::dvec3(-side / 2), glm::dvec3(side / 2), 8, shapes::skin_paint());
+  for (int i = 0; i < count; ++i) {
+    const double low = side / 2 + gap + i * (0.004 + gap);
+    all = joined(all, shapes::box({-0.02, low, 0.005}, {0.02, low + 0.004, 0.025}, 8, leaf));
+  }
+  return all;
+}
+
+/// How many pieces the knife leaves where leaves are held.
+std::size_t pieces_with_held(const DiffusionSurfaces& fruit, const std::string& knife = "half") {
+  const auto leaf = std::find(fruit.part_names.begin(), fruit.part_names.end(), "leaf");
+  const std::vector<int> held{static_cast<int>(leaf - fruit.part_names.begin())};
+  const Cut result = cut(fruit, std::vector{parse_knife(knife)}, {.held_parts = held});
+  for (const CutPiece& piece : result.pieces) EXPECT_TRUE(piece.closed);
+  return result.pieces.size();
+}
+
+TEST(HeldParts, StayWithThePieceTheyLieAgainstThroughOthers) {
+  EXPECT_EQ(halves(box_with_plates(0.001, 3)).pieces.size(), 5u) << "two halves and three plates";
+  EXPECT_EQ(pieces_with_held(box_with_plates(0.001, 3)), 2u);
+  EXPECT_EQ(pieces_with_held(box_with_plates(0.004, 3)), 5u) << "none lies against another";
+}
+
+TEST(HeldParts, AreOnePieceWhereNothingElseIsNear) {
+  EXPECT_EQ(pieces_with_held(box_with_plates(0.001, 3), "plane:0,1,0,30.5mm"), 2u) << "the box, and all plates";
+}
+
+TEST(HeldParts, NeverJoinTwoPiecesThatAreNot) {
+  // A plate between two boxes on one side of the knife goes to one of them.
+  const auto box_at = [](double x) {
+    return shapes::box({x, -0.03, 0.005}, {x + 0.04, 0.03, 0.045}, 8, shapes::skin_paint());
+  };
+  shapes::Paint leaf = shapes::skin_paint();
+  leaf.front_part = leaf.back_part = "leaf";
+  const DiffusionSurfaces fruit = joined(joined(box_at(-0.0425), box_at(0.0025)),
+                                         shapes::box({-0.0015, -0.03, 0.005}, {0.0015, 0.03, 0.045}, 8, leaf));
+  EXPECT_EQ(pieces_with_held(fruit), 2u);
 }
 
 }  // namespace

@@ -198,6 +198,7 @@ class StrokeFile : public testing::Test {
       <path id="loop" d="M 0,0 L 20,0 10,10 10,-10"/>
       <path id="closed" d="M 0,0 L 20,0 10,10 Z"/>
       <path id="two" d="M 0,0 L 20,0 M 10,10 L 10,20"/>
+      <path id="empty" d=""/>
     </svg>)";
   }
 
@@ -250,6 +251,7 @@ TEST_F(StrokeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(message("stroke:knife.svg#loop", ExitStatus::bad_data), testing::HasSubstr("knife.svg:3:"));
   EXPECT_THAT(message("stroke:knife.svg#closed", ExitStatus::bad_data), testing::HasSubstr("closed"));
   EXPECT_THAT(message("stroke:knife.svg#two", ExitStatus::bad_data), testing::HasSubstr("not one line"));
+  EXPECT_THAT(message("stroke:knife.svg#empty", ExitStatus::bad_data), testing::HasSubstr("\"empty\" is empty"));
   EXPECT_THAT(message("stroke:knife.svg#wvae", ExitStatus::bad_data), testing::HasSubstr("no path"));
   message("stroke:other.svg#wave", ExitStatus::input_missing);
   message("stroke:knife.svg", ExitStatus::usage);

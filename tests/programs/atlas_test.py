@@ -1,5 +1,5 @@
 """Files of one scene whose textures and materials are shared by nobody, by a piece, by all pieces: the same triangles in
-fewer draw calls.   atlas_test.py FOLDER"""
+fewer draw calls; with textures, and with colours of vertices.   atlas_test.py FOLDER"""
 
 import pathlib
 import sys
@@ -11,8 +11,10 @@ FOLDER = pathlib.Path(sys.argv[1])
 
 
 class Atlas(unittest.TestCase):
+    files_begin = "small-atlas"
+
     def setUp(self):
-        self.files = {name: Glb(FOLDER / f"small-atlas-{name}.glb") for name in ("none", "piece", "file")}
+        self.files = {name: Glb(FOLDER / f"{self.files_begin}-{name}.glb") for name in ("none", "piece", "file")}
 
     def primitives(self, name):
         return [primitive for mesh in self.files[name].json["meshes"] for primitive in mesh["primitives"]]
@@ -36,6 +38,22 @@ class Atlas(unittest.TestCase):
                 self.assertEqual(mesh["extras"]["parts"], joined["extras"]["parts"])
                 self.assertEqual(sorted(self.files["none"].triangles(mesh)), sorted(self.files[name].triangles(joined)))
                 self.assertTrue(all("_PART" in primitive["attributes"] for primitive in joined["primitives"]))
+
+
+class Looks(Atlas):
+    files_begin = "small-looks"
+
+    def test_materials_and_images_are_few(self):
+        self.assertLessEqual(len(self.files["piece"].json["materials"]), 3, "one for each kind of fruit")
+        for name in ("piece", "file"):
+            self.assertLessEqual(len(self.files[name].json["images"]), 4, "one for each map")
+        self.assertEqual(len(self.files["file"].json["materials"]), 1)
+
+    def test_triangles_and_parts_stay(self):
+        for name in ("piece", "file"):
+            for mesh, joined in zip(self.files["none"].json["meshes"], self.files[name].json["meshes"]):
+                self.assertEqual(mesh["extras"]["parts"], joined["extras"]["parts"])
+                self.assertEqual(len(self.files["none"].triangles(mesh)), len(self.files[name].triangles(joined)))
 
 
 if __name__ == "__main__":

@@ -9,7 +9,9 @@ import {opened, run, speed} from './mujoco.mjs';
 
 const [program, folder, ...named] = process.argv.slice(2);
 mkdirSync(folder, {recursive: true});
-const knives = ['half', 'across', 'wedges:4', 'slices:5', 'dice:25mm'];
+/** Dice are 25 mm, and of what is larger than 10 cm a quarter of it: a volcano of 25 mm dice has 2 500 of them. */
+const knives = ['half', 'across', 'wedges:4', 'slices:5', 'dice'];
+const diceOf = (extent) => `dice:${Math.ceil(1000 * Math.max(0.025, extent / 4))}mm`;
 
 const templates = named.length ? named : JSON.parse(execFileSync(program, ['list', '--json'])).map((one) => one.name);
 
@@ -34,18 +36,22 @@ function lowestCorners(text) {
 const plain = (name) => name.replaceAll(/[^A-Za-z0-9]/g, '_');
 const wrong = [];
 let pieces = 0;
+console.log('template\tpieces\tlongest to rest, s\tcontacts\tprocessor, s');
 for (const template of templates) {
+  const before = {pieces, seconds: process.cpuUsage().user / 1e6};
+  let longest = 0, contacts = 0, extent = 0;
   for (const knife of knives) {
     const xml = join(folder, 'cut.xml'), list = join(folder, 'pieces.json');
     execFileSync(program, [
-      'cut', template, '--seed', '1', '--knife', knife, '--detail', '0.4', '--quality', 'draft', '--faces', 'coarse',
-      '--style', 'plain', '--quiet', '-o', xml, '--pieces', list
+      'cut', template, '--seed', '1', '--knife', knife === 'dice' ? diceOf(extent) : knife, '--detail', '0.4',
+      '--quality', 'draft', '--faces', 'coarse', '--style', 'plain', '--quiet', '-o', xml, '--pieces', list
     ]);
     const what = `${template} ${knife}`;
     const corners = lowestCorners(readFileSync(xml, 'utf8'));
     const simulation = opened(xml);
     const {model, data, names} = simulation;
     for (const piece of JSON.parse(readFileSync(list)).pieces) {
+      extent = Math.max(extent, ...[0, 1, 2].map((k) => piece.high[k] - piece.low[k]));
       const body = names.indexOf(plain(piece.name));
       assert(body > 0, `${what}: ${piece.name} is not there`);
       ++pieces;
@@ -61,12 +67,16 @@ for (const template of templates) {
     let still = 0;
     const half = 0.5 / model.opt.timestep;
     run(simulation, 5, () => {
+      contacts = Math.max(contacts, data.ncon);
       still = speed(simulation, 0.03) < 0.01 ? still + 1 : 0;
       return still >= half;
     });
     if (still < half) wrong.push(`${what}: ${speed(simulation, 0.03).toFixed(4)} m/s after ${data.time.toFixed(2)} s`);
+    longest = Math.max(longest, data.time - 0.5);
     simulation.close();
   }
+  const seconds = process.cpuUsage().user / 1e6 - before.seconds;
+  console.log([template, pieces - before.pieces, longest.toFixed(2), contacts, seconds.toFixed(0)].join('\t'));
 }
 assert.deepEqual(wrong, [], 'not at rest');
 console.log(`${templates.length} templates by ${knives.length} knives: ${pieces} pieces at rest`);

@@ -11,7 +11,7 @@ import {mujoco, opened, run} from './mujoco.mjs';
 const [program, folder, ...named] = process.argv.slice(2);
 mkdirSync(folder, {recursive: true});
 const all = () => JSON.parse(execFileSync(program, ['list', '--json']))
-                    .templates.flatMap((one) => ['slices:8', 'wedges:6'].map((knife) => `${one.name ?? one}:${knife}`));
+                    .flatMap(({name}) => ['slices:8', 'wedges:6'].map((knife) => `${name}:${knife}`));
 
 /** The area of all faces of a section in .ply, square metres. */
 function areaOf(file) {

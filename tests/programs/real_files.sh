@@ -28,6 +28,8 @@ small --instances --feature-ids -o small-instances.glb -o small-instances.usda
 small --lod 2 -o small-levels.glb -o small-levels.usda
 small --engine godot -o small-godot.glb
 for shared in none piece file; do small --texture 64 --lod 1 --atlas $shared -o small-atlas-$shared.glb; done
+for shared in none piece file; do small --lod 1 --atlas $shared -o small-looks-$shared.glb; done
+small --atlas piece -o small-looks.usda && small --texture 64 --atlas file -o small-atlas.usda
 mkdir coded && small --compress meshopt -o coded/small.glb
 small --up z --hulls 4 -o small-z.usda
 cp "$repository/tests/programs/small_crate.toml" "$repository/scenes/dishes/crate.obj" .

@@ -1,11 +1,11 @@
 // TinyUSDZ, a reader of USD that is not ours, composes a .usda and finds in it what the .glb of the same scene holds.
-//   node usd_test.mjs SCENE.usda SCENE.glb LEVELS.usda INSTANCES.usda RIPENESSES.usda RIPENESSES.glb
+//   node usd_test.mjs SCENE.usda SCENE.glb LEVELS.usda INSTANCES.usda RIPENESSES.usda RIPENESSES.glb ATLAS.usda...
 import assert from 'node:assert';
 import {existsSync, readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {dirname, join} from 'node:path';
 
-const [sceneFile, glbFile, levelsFile, instancesFile, ripeFile, ripeGlbFile] = process.argv.slice(2);
+const [sceneFile, glbFile, levelsFile, instancesFile, ripeFile, ripeGlbFile, ...atlasFiles] = process.argv.slice(2);
 
 // TinyUSDZ is compiled for browsers; it asks for no more of one than this.
 globalThis.window = globalThis;
@@ -133,3 +133,21 @@ const byRipeness = ['as_is', ...named].map(texturesAt);
 for (const files of byRipeness) assert.equal(files.length, ripeGltf.meshes.length, 'a texture for each piece');
 assert.equal(new Set(byRipeness.flat()).size, ripeGltf.images.length, 'and as many in all as the .glb has');
 console.log('ripenesses');
+
+// Where maps tell looks, a mesh has one material, whose pictures are there.
+for (const file of atlasFiles) {
+  const words = readFileSync(file, 'utf8');
+  const joined = composed(words.replaceAll(connection, 'color3f inputs:diffuseColor = (1, 1, 1)'));
+  const flatter = joined.layerToString();
+  for (const input of ['inputs:roughness.connect', 'inputs:clearcoat.connect'])
+    assert(flatter.includes(input), `${file}: ${input} is lost`);
+  assert(!words.includes('familyName = "materialBind"'), `${file}: several materials a mesh`);
+  const pictures = [...new Set([...flatter.matchAll(/inputs:file = @(.*?)@/g)].map((found) => found[1]))];
+  assert(pictures.length >= 2 && pictures.length <= 6, `${file}: ${pictures.length} pictures`);
+  for (const picture of pictures) assert(existsSync(join(dirname(file), picture)), `${picture} is not there`);
+  assert(joined.layerToRenderScene(), joined.error());
+  const paths = Array.from({length: joined.numMeshes()}, (_, i) => joined.getMesh(i).absPath);
+  assert.equal(
+    paths.filter((path) => path.startsWith('/Scene/')).length, placed.length, `${file}: a mesh for each instance`);
+}
+console.log('one material a mesh');

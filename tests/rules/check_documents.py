@@ -1,10 +1,11 @@
 """The rules of the house over the documents: `check_documents.py ROOT` prints "file:line: what" and exits with 1 if
-a line is longer than 120 columns, a table's row has not as many cells as its head, or a link, a picture or a named
-file is not there.
+a line is longer than 120 columns, a table's row has not as many cells as its head, a link, a picture or a named file is
+not there, or a command begins with a script that may not be run.
 
 Tables, code, pictures, and lines that no space would let one break may be longer.
 """
 
+import os
 import pathlib
 import re
 import sys
@@ -20,6 +21,8 @@ UNBREAKABLE = re.compile(r"\s*(?:[-*>]|\d+\.)?\s*\S+\s*")
 # A file named by its path from the root: `generator/cut/cut.h`.
 TOPS = ("bench", "cli", "cmake", "docs", "generator", "python", "render", "scenes", "scripts", "shaders", "styles", "templates", "tests")
 NAMED = re.compile(rf"`((?:{'|'.join(TOPS)})/[\w./-]+\.\w+)`")
+# A command that begins with a script: a line of code, or `scripts/look.py FILE`.
+STARTED = re.compile(rf"(?:^ {{4}}|`)((?:{'|'.join(TOPS)})/[\w./-]+\.(?:py|sh|mjs))(?= [^`]|$)", re.M)
 TELLS_THE_PAST = ("CHANGELOG.md",)  # what it names may be gone
 TABLE_OR_PICTURE = re.compile(r"\s*(?:\||!\[|\[?<img|\[!\[|<!--)")
 
@@ -90,13 +93,22 @@ def uneven_rows(lines):
                 yield number
 
 
+def started_scripts(text):
+    """The scripts that commands begin with, by the numbers of their lines."""
+    for match in STARTED.finditer(text):
+        yield text.count("\n", 0, match.start()) + 1, match[1]
+
+
 def check(root):
     """All that is wrong below `root`, as "file:line: what"."""
     root = pathlib.Path(root)
     wrong = []
     for path in documents(root):
         name = path.relative_to(root).as_posix()
-        lines = list(prose(path.read_text(encoding="utf-8")))
+        text = path.read_text(encoding="utf-8")
+        lines = list(prose(text))
+        wrong += [f"{name}:{number}: {script} may not be run: chmod +x" for number, script in started_scripts(text)
+                  if (root / script).exists() and not os.access(root / script, os.X_OK)]
         wrong += [f"{name}:{number}: another number of cells than the table's head" for number in uneven_rows(lines)]
         for number, line in lines:
             if len(line) > WIDTH and not TABLE_OR_PICTURE.match(line) and not UNBREAKABLE.fullmatch(line):

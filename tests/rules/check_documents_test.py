@@ -44,6 +44,12 @@ class Documents(Tree):
         self.assert_wrong({"docs/a.md": "See `cli/b.h`.\n"}, "docs/a.md:1", "no `cli/b.h`")
         self.assert_fine({"CHANGELOG.md": "`cli/b.h` is `cli/c.h`.\n"})
 
+    def test_scripts_that_commands_begin_with_may_be_run(self):
+        there = {"scripts/a.py": "#!/usr/bin/env python3\n"}
+        for command in ("Run\n\n    scripts/a.py FILE\n", "Look,\n\n`scripts/a.py FILE`.\n", "Run\n\n    scripts/a.py\n"):
+            self.assert_wrong(there | {"a.md": command}, "a.md:3", "scripts/a.py may not be run")
+        self.assert_fine(there | {"a.md": "See `scripts/a.py`, and run `python3 scripts/a.py FILE`.\n"})
+
     def test_what_is_code_is_no_link(self):
         self.assert_fine({"a.md": "`[a](b)`\n\n```\n[a](b)\n```\n"})
 

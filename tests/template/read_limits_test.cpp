@@ -40,6 +40,21 @@ std::string complaint(const std::string& toml, Read read) {
   return "";
 }
 
+TEST(NoiseKeys, ThatWouldNotCountAreRefused) {
+  const auto said = [](int keys, int bands) {
+    std::string toml = "base_frequency = 100\n";
+    for (int k = 0; k < keys; ++k) {
+      toml += "[[key]]\ncolor = \"#ff0000\"\nweights = [0.1";
+      for (int b = 1; b < bands; ++b) toml += ", 0.1";
+      toml += "]\n";
+    }
+    return complaint(toml, [](const TomlTable& root) { read_noise(root); });
+  };
+  EXPECT_EQ(said(max_noise_keys, max_noise_bands), "");
+  EXPECT_THAT(said(max_noise_keys + 1, 1), HasSubstr("x.toml"));
+  EXPECT_THAT(said(1, max_noise_bands + 1), HasSubstr("has 9 numbers, but must have 1 to 8"));
+}
+
 TEST(TomlLengths, MayBeTheirLimitsAndAreToldThem) {
   const auto said = [](const std::string& length) {
     return complaint("w = \"" + length + "\"\n", [](const TomlTable& root) {

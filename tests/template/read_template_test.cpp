@@ -148,6 +148,7 @@ TEST(ReadTemplate, knives_go_through_all_parts_but_those_that_are_spared) {
   EXPECT_THROW(plum_and("[part.flesh]\ncut = \"spare\""), Error) << "the surface around it faces air";
   EXPECT_THROW(plum_and("[part.kernel]\ncut = \"spare\""), Error) << "no such part";
   EXPECT_THROW(plum_and("[part.stone]\ncut = \"around\""), Error);
+  EXPECT_EQ(plum_and("[part.flesh]\ncut = \"hold\"").held, std::vector<int>{1});
 }
 
 TEST(ReadTemplate, details_find_their_way_by_all_surfaces_but_those_that_stay_out) {

@@ -1,7 +1,6 @@
 #include "generator/template/read/sketch.h"
 
 #include <algorithm>
-#include <clocale>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 
 #include "generator/base/random.h"
 #include "generator/base/units.h"
+#include "tests/base/german_locale.h"
 
 namespace pomona {
 namespace {
@@ -204,10 +204,8 @@ TEST(Sketch, groups_give_all_their_curves) {
 TEST(Sketch, numbers_do_not_depend_on_the_locale) {
   const std::string text = svg(R"(<path id="c" transform='scale(1.5,2.5)' d="M10.5,0 L20.25,-5.75"/>)");
   const auto plain = points(sketch(text));
-  const bool german = std::setlocale(LC_ALL, "de_DE.UTF-8") || std::setlocale(LC_ALL, "de_DE.utf8");
+  const GermanLocale german;
   EXPECT_EQ(points(sketch(text)), plain);
-  std::setlocale(LC_ALL, "C");
-  if (!german) GTEST_SKIP() << "no German locale here";
 }
 
 // ---- Hostile files ----
@@ -336,6 +334,64 @@ TEST(Sketch, ids_that_had_to_be_unique_have_a_name_behind_them) {
            {"id=\"top-view\" serif:id=\"top view\"", "id=\"axis1\" serif:id=\"axis\""},     // Affinity
            {"id=\"top view\"", "id=\"axis_2\""}})                                           // Figma
     expect_points(points(sketch(with(layer, axis)), SketchView::top), wanted);
+}
+
+/// What a style sheet or a style does to the curve "c" of a drawing, as its message says.
+std::string styled(const std::string& css, const std::string& attributes, const std::string& shape = "path") {
+  return message_of(svg("<style>" + css + "</style><" + shape + " id=\"c\" " + attributes + " />"));
+}
+
+TEST(Sketch, what_css_does_to_places_and_shapes_is_told) {
+  const std::string line = R"(class="a cut" d="M10,0 L20,-9")";
+  for (const char* rule :
+       {".cut{transform:translate(5px)}", "path.a { fill:none; TRANSLATE : 5px }", "#c{rotate:9deg}", "*{scale:2}",
+        "@media screen{g .cut{transform:scale(2)}}", "line, g>path{transform:scale(2)}",
+        "/* } */ .cut/**/{transform-origin:0 0}", "<![CDATA[ .cut{transform:scale(2)} ]]>"})
+    EXPECT_THAT(styled(rule, line), HasSubstr("is moved by its style (CSS)")) << rule;
+  EXPECT_THAT(styled("g{transform:scale(2)}", line), HasSubstr("is moved by its style (CSS)")) << "by its group";
+  EXPECT_THAT(styled(".cut{d:path('M0,0')}", line), HasSubstr("has its shape from its style (CSS)"));
+  EXPECT_THAT(styled("", line + R"x( style="d:path('M0,0')")x"), HasSubstr("has its shape from its style (CSS)"));
+  EXPECT_THAT(styled("", R"(r="4" style="stroke:red; r:9px")", "circle"), HasSubstr("has its shape from its style"));
+  EXPECT_THAT(styled("", R"(width="4" height="3" style="width:9px")", "rect"),
+              HasSubstr("has its shape from its style"));
+}
+
+TEST(Sketch, css_that_is_for_others_or_says_nothing_counts_for_nothing) {
+  const std::string line = R"(class="a cut" d="M10,0 L20,-9")";
+  for (const char* rule : {"", ".b{transform:scale(2)}", "#d{transform:scale(2)}", "circle{transform:scale(2)}",
+                           "path:hover{transform:scale(2)}", ".cut{transform:none}", ".cut{text-transform:uppercase}",
+                           ".cut{r:9px;cx:4px}", "/* .cut{transform:scale(2)} */", ".cut{transform", "}}{{;;",
+                           "@keyframes k{from{transform:none}to{transform:scale(2)}}"})
+    EXPECT_EQ(styled(rule, line), "") << rule;
+  EXPECT_EQ(styled("", line + R"( style="fill:none;stroke:url(#d);vector-effect:none")"), "");
+}
+
+TEST(Sketch, style_sheets_have_a_limit) {
+  std::string many;
+  for (int i = 0; i < 1000; ++i) many += ".a" + std::to_string(i) + "{transform:scale(2)}";
+  EXPECT_THROW(sketch(svg("<style>" + many + "</style>")), BadSketch);
+}
+
+TEST(Sketch, a_page_that_covers_its_box_is_larger_and_one_that_is_stretched_is_refused) {
+  const auto size = [](const std::string& aspect) {
+    const std::string wide = R"(width="400mm" height="100mm" viewBox="0 0 200 100" preserveAspectRatio=")";
+    return points(sketch(svg(R"(<path id="c" d="M10,0 L20,-9"/>)", "", wide + aspect + "\""))).back().x;
+  };
+  EXPECT_NEAR(size(""), 10, 1e-5);
+  EXPECT_NEAR(size("xMinYMax meet"), 10, 1e-5);
+  EXPECT_NEAR(size("xMinYMid slice"), 20, 1e-5);
+  EXPECT_THROW(size("none"), BadSketch);
+  EXPECT_NO_THROW(sketch(svg("", "", page + R"( preserveAspectRatio="none")"))) << "it has the same shape";
+}
+
+TEST(Sketch, clones_whose_place_is_not_known_are_told) {
+  const std::string symbol = R"(<symbol id="s" viewBox="0 0 5 5"><path d="M1,0 L2,-1"/></symbol>)";
+  EXPECT_THAT(message_of(svg(symbol + R"(<use id="c" href="#s" width="50" height="50"/>)")),
+              HasSubstr("lies in a symbol with a page of its own (viewBox)"));
+  const std::string line = R"(<defs><path id="p" d="M10,0 L20,-9"/></defs>)";
+  EXPECT_THAT(message_of(svg(line + R"(<use id="c" href="#p" x="10%"/>)")),
+              HasSubstr("has a length that cannot be read: x=\"10%\""));
+  EXPECT_EQ(message_of(svg(line + R"(<use id="c" href="#p" width="100%"/>)")), "") << "it has no size of its own";
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ struct CutOptions {
   /// Parts of the fruit that knives leave whole (spared.h), ascending; slice() takes them from the template. They must
   /// outlive the cut. The section goes through them all the same.
   std::span<const int> spared_parts{};
+  /// Parts of which pieces that are cut loose stay with what they lie against (stray_bits.h); likewise.
+  std::span<const int> held_parts{};
 };
 
 /// Coarser than for a single fruit: a piece in a heap covers a tenth of the picture.

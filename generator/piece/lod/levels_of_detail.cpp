@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/mesh/signed_volume.h"
 #include "generator/piece/lod/decimate.h"
 
 namespace pomona {
@@ -45,12 +46,10 @@ std::vector<LevelTarget> targets_of(const Solid& solid, std::size_t frozen, cons
 }
 
 double volume_of(const Solid& solid) {
-  double six = 0;
-  for (const glm::uvec3& t : solid.mesh.triangle) {
-    const glm::dvec3 a(solid.mesh.position[t.x]), b(solid.mesh.position[t.y]), c(solid.mesh.position[t.z]);
-    six += glm::dot(a, glm::cross(b, c));
-  }
-  return six / 6;
+  const std::vector<glm::vec3>& p = solid.mesh.position;
+  return signed_volume(solid.mesh.triangle, [&](const glm::uvec3& t) -> std::array<glm::dvec3, 3> {
+    return {p[t.x], p[t.y], p[t.z]};
+  });
 }
 
 /// The solid with these triangles; vertices in the order in which triangles first use them.

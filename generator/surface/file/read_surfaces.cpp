@@ -92,9 +92,10 @@ class SurfaceReader {
     const std::optional<std::size_t> triangle = shell_inside_out(surfaces_);
     if (!triangle) return;
     const std::size_t surface = static_cast<std::size_t>(surfaces_.surface[*triangle]);
-    ply_.fail_whole("surface \"" + surfaces_.surface_names[surface] + "\" is inside out: the side of its shell at " +
-                        place_text(*triangle) + " (m) that is hidden faces inwards, so nothing of it is solid",
-                    "turn its faces, or hide the other side: front_hidden and back_hidden say which one faces air");
+    ply_.fail_at(faces_ ? faces_->byte : strips_->byte,
+                 "surface \"" + surfaces_.surface_names[surface] + "\" is inside out: the side of its shell at " +
+                     place_text(*triangle) + " (m) that is hidden faces inwards, so nothing of it is solid",
+                 "turn its faces, or hide the other side: front_hidden and back_hidden say which one faces air");
   }
 
   std::string place_text(std::size_t triangle) const {
@@ -462,8 +463,10 @@ class SurfaceReader {
     for (const glm::uvec3& t : surfaces_.triangle)
       for (int k = 0; k < 3; ++k) box.add(exact_[t[k]]);
     if (glm::length(box.size()) >= smallest && is_too_far(box))
-      ply_.fail_whole(why_too_far(box), "move it to the origin; in a template, by " + at_key(box.moved(-placing_.at)));
-    if (distance_of(box) > farthest) ply_.fail_whole("it is larger than 1000 km", "positions are in metres");
+      ply_.fail_at(vertices_->byte, why_too_far(box),
+                   "move it to the origin; in a template, by " + at_key(box.moved(-placing_.at)));
+    if (distance_of(box) > farthest)
+      ply_.fail_at(vertices_->byte, "the mesh is larger than 1000 km", "positions are in metres");
   }
 
   void check_whole() const {

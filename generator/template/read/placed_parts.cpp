@@ -22,8 +22,8 @@ class PartBringer {
     }
     bring_materials();
     bring_densities();
-    for (const int part : placed_.spared) fruit_.spared.push_back(at(part));
-    std::sort(fruit_.spared.begin(), fruit_.spared.end());
+    bring_cuts(fruit_.spared, placed_.spared);
+    bring_cuts(fruit_.held, placed_.held);
     bring_noise();
     bring_details();
     bring_ripeness();
@@ -33,6 +33,11 @@ class PartBringer {
 
  private:
   int at(int part) const { return index_[static_cast<std::size_t>(part)]; }
+
+  void bring_cuts(std::vector<int>& parts, const std::vector<int>& placed) const {
+    for (const int part : placed) parts.push_back(at(part));
+    std::sort(parts.begin(), parts.end());
+  }
 
   bool is_new(std::size_t part) const { return static_cast<std::size_t>(index_[part]) >= had_; }
 

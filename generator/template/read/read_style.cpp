@@ -7,8 +7,6 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t max_noise_keys = 64;
-
 std::vector<double> read_numbers(const TomlValue& value, std::size_t min, std::size_t max, Within within) {
   std::vector<double> numbers;
   if (!value.is(TomlNode::Kind::array)) {
@@ -25,7 +23,7 @@ std::vector<double> read_numbers(const TomlValue& value, std::size_t min, std::s
 NoiseKey read_noise_key(const TomlTable& table) {
   NoiseKey key;
   key.color = table.need("color").color();
-  key.weights = read_numbers(table.need("weights"), 1, 12, {-1, 1});
+  key.weights = read_numbers(table.need("weights"), 1, max_noise_bands, {-1, 1});
   const std::vector<double> axis = read_numbers(table.get("axis"), 3, 3, {-1, 1});
   if (axis.size() == 3) key.axis = {axis[0], axis[1], axis[2]};
   if (key.axis == glm::vec3(0)) table.get("axis").error("has no direction", "[1, 0, 0] is from dark to light");

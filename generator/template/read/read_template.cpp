@@ -11,10 +11,10 @@
 #include "generator/template/read/read_law.h"
 #include "generator/template/read/read_material.h"
 #include "generator/template/read/read_mesh.h"
+#include "generator/template/read/read_part_cuts.h"
 #include "generator/template/read/read_place.h"
 #include "generator/template/read/read_ripeness.h"
 #include "generator/template/read/read_sheets.h"
-#include "generator/template/read/read_spared.h"
 #include "generator/template/read/read_style.h"
 #include "generator/template/read/read_surface.h"
 #include "generator/template/read/read_variation.h"
@@ -230,7 +230,11 @@ DrawnTemplate parse_within(std::string_view toml, const std::string& file, std::
     fruit.grains.push_back(read_grains(grains, fruit));
     fruit.grains.back().name = name;
   }
-  if (root.has("part")) fruit.spared = read_spared(root.get("part").table(), fruit);
+  if (root.has("part")) {
+    PartCuts cuts = read_part_cuts(root.get("part").table(), fruit);
+    fruit.spared = std::move(cuts.spared);
+    fruit.held = std::move(cuts.held);
+  }
   read_axis_of(root, curves, fruit);
   if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table(), fruit);
   if (root.has("material")) fruit.materials = read_materials(root.get("material").table(), fruit.parts);

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/signed_volume.h"
+
 namespace pomona::collision {
 
 namespace {
@@ -126,10 +128,10 @@ void add_cuts(CutSurface& part, const CutSurface& whole, const CuttingPlane& pla
 
 double CutSurface::volume() const {
   const glm::dvec3 middle = skin.empty() ? glm::dvec3(0) : skin.front()[0];
-  double six_times = 0;
+  double six = 0;
   for (const std::vector<Corners>* list : {&skin, &cones})
-    for (const Corners& t : *list) six_times += glm::dot(t[0] - middle, glm::cross(t[1] - middle, t[2] - middle));
-  return six_times / 6;
+    for (const Corners& t : *list) six += six_volumes(t[0] - middle, t[1] - middle, t[2] - middle);
+  return six / 6;
 }
 
 std::vector<glm::vec3> CutSurface::points() const {

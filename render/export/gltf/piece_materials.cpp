@@ -8,6 +8,8 @@ namespace pomona::gltf {
 
 namespace {
 
+const char* const palette_name = "looks";
+
 constexpr int linear = 9729, linear_mipmap_linear = 9987, clamp_to_edge = 33071;
 
 /// \param texture the name of the texture, if there is one.
@@ -47,8 +49,9 @@ bool ends_somewhere(const Image& thickness) {
 
 int PieceMaterials::material(const Solid& solid, const MaterialGroup& group,
                              const std::optional<PieceTextures>& textures) {
-  const std::string picture =
-      textures ? document_.at("textures", textures->color)["name"].get<std::string>() : std::string();
+  std::string picture;
+  if (textures && textures->color) picture = document_.at("textures", *textures->color)["name"];
+  if (textures && textures->is_palette && textures->are_shared) picture = palette_name;
   const std::string name = name_of(solid, group, picture);
   const auto known = known_.find({name, solid.closed, solid.opacity, group.look, textures});
   if (known != known_.end()) return known->second;
@@ -56,7 +59,7 @@ int PieceMaterials::material(const Solid& solid, const MaterialGroup& group,
   // White if vertices have colours, so that only these count. Open meshes show both sides.
   Json metal = {{"metallicFactor", 0.0}, {"roughnessFactor", group.look.roughness}};
   if (solid.opacity < 1) metal["baseColorFactor"] = {1.0, 1.0, 1.0, static_cast<double>(solid.opacity)};
-  if (textures) metal["baseColorTexture"] = {{"index", textures->color}};
+  if (textures && textures->color) metal["baseColorTexture"] = {{"index", *textures->color}};
   Json material = {{"name", name}, {"pbrMetallicRoughness", std::move(metal)}};
   if (solid.opacity < 1) material["alphaMode"] = "BLEND";
   if (!solid.closed) material["doubleSided"] = true;
@@ -66,6 +69,7 @@ int PieceMaterials::material(const Solid& solid, const MaterialGroup& group,
     material["extras"]["subsurface"] = {{"weight", group.look.inside.weight}, {"radius", group.look.inside.radius}};
   }
   const int index = document_.add("materials", std::move(material));
+  if (textures && textures->is_palette) on_palette_.push_back(index);
   known_[{name, solid.closed, solid.opacity, group.look, textures}] = index;
   return index;
 }
@@ -163,6 +167,12 @@ PieceTextures PieceMaterials::add_all(const std::string& name, const Image& colo
     if (is_thin) textures.thickness = both;
     if (has_ends) textures.film = both;
   }
+  add_look_textures(name, maps, textures);
+  return textures;
+}
+
+void PieceMaterials::add_look_textures(const std::string& name, const SurfaceMaps& maps, PieceTextures& textures) {
+  const auto png = [](const auto& picture, PngValues values) { return write_png(picture, PngPacking::fast, values); };
   textures.tell_looks = maps.tell_looks;
   if (!maps.coat.opacity.empty()) {
     const int both = add_texture(name + " coat", png(maps.coat, PngValues::shares));
@@ -171,7 +181,21 @@ PieceTextures PieceMaterials::add_all(const std::string& name, const Image& colo
   }
   if (!maps.sheen.opacity.empty()) textures.sheen = add_texture(name + " sheen", png(maps.sheen, PngValues::srgb));
   if (!maps.light.opacity.empty()) textures.light = add_texture(name + " light", png(maps.light, PngValues::srgb));
-  return textures;
+}
+
+void PieceMaterials::finish() {
+  if (on_palette_.empty()) return;
+  const SurfaceMaps maps = palette_.maps();
+  PieceTextures textures;
+  const std::string name = palette_name;
+  const int roughness = add_texture(name + " orm", write_png(maps.orm, PngPacking::fast, PngValues::shares));
+  add_look_textures(name, maps, textures);
+  for (const int index : on_palette_) {
+    Json& material = document_.at("materials", index);
+    material["pbrMetallicRoughness"]["roughnessFactor"] = 1.0;
+    material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", roughness}};
+    add_look_maps(material, textures);
+  }
 }
 
 /// One trilinear sampler without repetition for all textures; charts are separate.

@@ -37,18 +37,23 @@ void add_feature_ids(GltfDocument& document, Json& primitive, std::size_t parts)
   document.use_extension("EXT_mesh_features");
 }
 
+/// A map of light has the share that comes through.
+std::vector<MaterialGroup> without_what_maps_tell(std::vector<MaterialGroup> groups) {
+  for (MaterialGroup& group : groups) group.look.transmission = 0, group.look.transmission_color = {1, 1, 1};
+  return groups;
+}
+
 /// The triangles of each material, with what stands in the material itself.
 std::vector<MaterialGroup> groups_of(const Solid& solid, const StyledMesh& styled,
                                      const std::optional<PieceTextures>& textures) {
+  const bool has_colors = !textures || textures->is_palette;
   std::vector<MaterialGroup> groups =
-      groups_by_material(solid, styled, textures ? LightInside::told : LightInside::left_out);
+      groups_by_material(solid, styled, has_colors ? LightInside::left_out : LightInside::told);
   if (textures && textures->tell_looks) groups = groups_in_maps(groups);
-  if (textures && textures->are_shared) {
+  if (textures && textures->are_shared && !textures->is_palette) {
     // What is that of one piece alone would give it a material of its own.
     for (MaterialGroup& group : groups) group.look.inside = {};
-    if (textures->tell_looks) {
-      for (MaterialGroup& group : groups) group.look.transmission = 0, group.look.transmission_color = {1, 1, 1};
-    }
+    if (textures->tell_looks) groups = without_what_maps_tell(std::move(groups));
   }
   return groups;
 }
@@ -75,13 +80,21 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
   if (solid.look->part_names.size() > 65536)
     throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
   const bool is_coded = options.compress == Compression::meshopt;
+  std::vector<MaterialGroup> groups = groups_of(solid, styled, mesh.textures);
+  MeshOnPalette placed;
+  const StyledMesh* written = &styled;
+  if (mesh.textures && mesh.textures->is_palette) {
+    placed = on_palette(styled, std::move(groups), materials.palette());
+    groups = without_what_maps_tell(std::move(placed.groups));
+    written = &placed.mesh;
+  }
   const Json attributes =
-      is_coded ? add_coded_vertices(document, styled, mesh.pivot) : add_vertices(document, styled, mesh.pivot);
+      is_coded ? add_coded_vertices(document, *written, mesh.pivot) : add_vertices(document, *written, mesh.pivot);
   Json primitives = Json::array();
-  for (const MaterialGroup& group : groups_of(solid, styled, mesh.textures)) {
+  for (const MaterialGroup& group : groups) {
     Json primitive = {{"attributes", attributes}};
-    primitive["indices"] = is_coded ? add_coded_triangles(document, group.triangle, styled.position.size())
-                                    : add_triangles(document, group.triangle, styled.position.size());
+    primitive["indices"] = is_coded ? add_coded_triangles(document, group.triangle, written->position.size())
+                                    : add_triangles(document, group.triangle, written->position.size());
     primitive["material"] = materials.material(solid, group, mesh.textures);
     add_variants(primitive, materials, solid, group, mesh);
     if (options.feature_ids) add_feature_ids(document, primitive, solid.look->part_names.size());

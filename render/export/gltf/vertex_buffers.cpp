@@ -27,6 +27,14 @@ static_assert(sizeof(GlbVertex) == 36);
 
 std::uint16_t to_16_bits(float share) { return static_cast<std::uint16_t>(std::lround(share * 65535.0f)); }
 
+/// Texture coordinates of 16 bits.
+std::vector<std::array<std::uint16_t, 2>> places_of(const std::vector<glm::vec2>& uv) {
+  std::vector<std::array<std::uint16_t, 2>> places;
+  places.reserve(uv.size());
+  for (const glm::vec2& at : uv) places.push_back({to_16_bits(at.x), to_16_bits(at.y)});
+  return places;
+}
+
 std::array<std::uint16_t, 4> color_or_uv(const StyledMesh& mesh, std::size_t v) {
   if (!mesh.uv.empty()) return std::bit_cast<std::array<std::uint16_t, 4>>(mesh.uv[v]);
   const Color& c = mesh.color[v];
@@ -72,6 +80,13 @@ Json add_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec
     document.at("accessors", color)["normalized"] = true;
   } else {
     attribute("TEXCOORD_0", offsetof(GlbVertex, color_or_uv), Component::f32, "VEC2");
+  }
+  if (!mesh.look_place.empty()) {
+    const std::vector<std::array<std::uint16_t, 2>> places = places_of(mesh.look_place);
+    const int places_view = document.add_view(places.data(), 4 * places.size(), Target::vertices);
+    const int place = document.add_accessor(places_view, 0, places.size(), Component::u16, "VEC2");
+    document.at("accessors", place)["normalized"] = true;
+    attributes["TEXCOORD_0"] = place;
   }
   if (!mesh.tangent.empty()) {
     const std::size_t size = mesh.tangent.size() * sizeof(glm::vec4);
@@ -120,7 +135,7 @@ Json add_coded_vertices(GltfDocument& document, const StyledMesh& mesh, const gl
   const std::size_t count = mesh.position.size();
   std::vector<Four<std::int16_t>> position(count);
   std::vector<Four<std::int8_t>> normal(count), tangent(mesh.tangent.size());
-  std::vector<std::array<std::uint16_t, 2>> part(count), uv(mesh.uv.size());
+  std::vector<std::array<std::uint16_t, 2>> part(count);
   std::vector<Four<std::uint16_t>> color(mesh.uv.empty() ? count : 0);
   Box<float> box;
   for (std::size_t v = 0; v < count; ++v) {
@@ -134,8 +149,6 @@ Json add_coded_vertices(GltfDocument& document, const StyledMesh& mesh, const gl
     part[v][0] = static_cast<std::uint16_t>(mesh.part[v]);
     if (mesh.uv.empty())
       color[v] = {to_12_bits(mesh.color[v].r), to_12_bits(mesh.color[v].g), to_12_bits(mesh.color[v].b), 65535};
-    else
-      uv[v] = {to_16_bits(mesh.uv[v].x), to_16_bits(mesh.uv[v].y)};
   }
   for (std::size_t v = 0; v < tangent.size(); ++v)
     for (std::size_t k = 0; k < 4; ++k) tangent[v][k] = to_8_bits(mesh.tangent[v][static_cast<int>(k)]);
@@ -147,10 +160,9 @@ Json add_coded_vertices(GltfDocument& document, const StyledMesh& mesh, const gl
   attributes["POSITION"] = at;
   attributes["NORMAL"] = add_coded(document, normal, Component::i8, "VEC3", true);
   attributes["_PART"] = add_coded(document, part, Component::u16, "SCALAR", false);
-  if (mesh.uv.empty())
-    attributes["COLOR_0"] = add_coded(document, color, Component::u16, "VEC4", true);
-  else
-    attributes["TEXCOORD_0"] = add_coded(document, uv, Component::u16, "VEC2", true);
+  if (mesh.uv.empty()) attributes["COLOR_0"] = add_coded(document, color, Component::u16, "VEC4", true);
+  const std::vector<glm::vec2>& uv = mesh.uv.empty() ? mesh.look_place : mesh.uv;
+  if (!uv.empty()) attributes["TEXCOORD_0"] = add_coded(document, places_of(uv), Component::u16, "VEC2", true);
   if (!tangent.empty()) attributes["TANGENT"] = add_coded(document, tangent, Component::i8, "VEC4", true);
   return attributes;
 }

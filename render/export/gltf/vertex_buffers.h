@@ -9,7 +9,8 @@
 namespace pomona::gltf {
 
 /// Stores a mesh's vertices once, interleaved, and returns their attributes: POSITION, NORMAL, _PART, and COLOR_0; with
-/// a texture TEXCOORD_0 instead, and TANGENT if it has a normal map. \param pivot becomes the origin of positions.
+/// a texture TEXCOORD_0 instead, and TANGENT if it has a normal map; with a palette both. \param pivot becomes the
+/// origin of positions.
 Json add_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec3& pivot);
 
 /// The step of coded positions, metres: they are whole numbers of it, 16 bits each.

@@ -70,7 +70,10 @@ void GlbStream::Writer::add(std::size_t level, const Solid& solid, const StyledM
   if (mesh.triangle.empty()) return;
   SolidMeshes& made = solids_.back();
   PieceMeshOptions how{.name = level_name(options_.engine, name_, level, levels_), .pivot = made.pivot};
-  if (baked != nullptr) how.textures = materials_.add_textures(*baked);
+  if (baked != nullptr)
+    how.textures = materials_.add_textures(*baked);
+  else if (options_.atlas != AtlasOf::none)
+    how.textures = PieceTextures{.are_shared = options_.atlas == AtlasOf::file, .is_palette = true};
   how.variant_textures = variant_textures_;
   made.meshes.push_back(add_piece_mesh(document_, materials_, solid, mesh, how, options_));
   if (options_.compress == Compression::meshopt) made.scales.push_back(coded_step(mesh, made.pivot));
@@ -84,7 +87,7 @@ void GlbStream::Writer::set_variants(std::size_t i, std::span<const TextureVaria
   variant_textures_.clear();
   for (const TextureVariant& variant : variants) {
     const BakedSolid& solid = variant.solids.at(i);
-    variant_textures_.push_back(materials_.add_textures(solid, " " + variant.name).color);
+    variant_textures_.push_back(materials_.add_textures(solid, " " + variant.name).color.value());
   }
 }
 
@@ -115,6 +118,7 @@ void GlbStream::Writer::add_shapes(const Solid& solid, const std::string& mesh_n
 
 std::string GlbStream::Writer::finished(const Scene& scene) {
   if (scene.solids.size() != solids_.size()) throw Error(ExitStatus::bug, "a .glb lacks some of the scene's solids");
+  materials_.finish();
   add_nodes(document_, scene, solids_, options_);
   if (!options_.provenance.empty()) document_.scene()["extras"] = {{"provenance", options_.provenance}};
   return std::move(document_).bytes();

@@ -26,18 +26,42 @@ void append_textured_material(std::string& text, int indent, const std::string& 
 void append_texture_choices(std::string& text, int indent, std::span<const TextureChoice> choices,
                             std::span<const std::string> materials);
 
+/// The files of maps in whose place a mesh has its looks (render/texture/maps.h); empty where there is none. Without
+/// colours vertices have them.
+struct MapFiles {
+  std::string color = {}, normal = {}, orm = {}, coat = {}, sheen = {};
+
+  bool tell_looks() const { return !orm.empty(); }
+};
+
 /// The looks that all pieces of a fruit share: a class prim for each, to which pieces refer.
 class Looks {
  public:
   /// The name of the class for one of the solid's groups: "tomato_skin".
   std::string name_for(const Solid& solid, const MaterialGroup& group);
 
-  /// The class prims: UsdPreviewSurface, and OpenPBR for renderers that know MaterialX, coloured by displayColor.
+  /// The name of the class for a group of groups_in_maps(), whose maps are in these files. Nothing of it is physical.
+  /// \param wanted its name. \param files that tell no looks: those of the palette, which finish() knows.
+  std::string name_for(const std::string& wanted, const MaterialGroup& group, float opacity, const MapFiles& files);
+
+  /// After all others: the classes that take the palette.
+  void finish(const MapFiles& of_palette);
+
+  /// The class prims: UsdPreviewSurface, and OpenPBR for renderers that know MaterialX, coloured by displayColor unless
+  /// maps have colours.
   std::string text() const { return text_; }
 
  private:
+  struct OnPalette {
+    std::string name;
+    double clearness = 0;
+    float opacity = 1;
+  };
+
   PrimNames names_;
   std::map<std::tuple<std::string, float, PbrMaterial>, std::string> known_;
+  std::map<std::tuple<std::string, float, double>, std::string> known_in_maps_;  ///< by the share that goes through
+  std::vector<OnPalette> on_palette_;
   std::string text_;
 };
 

@@ -39,11 +39,22 @@ std::string material_name(const std::string& look, const StyledLevel& level, std
   return level.texture.empty() || number == 0 ? look : look + "_LOD" + std::to_string(number);
 }
 
-/// A subset for each look, bound to a material beside the mesh.
+/// The name of a material where maps tell looks.
+std::string name_in_maps(const StyledLevel& level, const MaterialGroup& group, Looks& looks) {
+  std::string name = level.material;
+  if (!level.solid.closed) name += " (open)";
+  return looks.name_for(name, group, level.solid.opacity, level.maps);
+}
+
+/// A subset for each material, bound to it beside the mesh.
 std::vector<Subset> subsets_by_material(const StyledLevel& level, std::size_t number, Looks& looks) {
   std::vector<Subset> subsets;
-  for (const MaterialGroup& group : groups_by_material(level.solid, level.mesh, LightInside::told)) {
-    const std::string name = material_name(looks.name_for(level.solid, group), level, number);
+  const bool in_maps = !level.in_maps.empty();
+  const std::vector<MaterialGroup> groups =
+      in_maps ? level.in_maps : groups_by_material(level.solid, level.mesh, LightInside::told);
+  for (const MaterialGroup& group : groups) {
+    const std::string name =
+        in_maps ? name_in_maps(level, group, looks) : material_name(looks.name_for(level.solid, group), level, number);
     Subset subset{"materialBind", "look_" + name, "(\n    prepend apiSchemas = [\"MaterialBindingAPI\"]\n)", {}, {}};
     subset.binding = "    rel material:binding = <../../Looks/" + name + ">";
     subset.faces = group.face;
@@ -71,8 +82,17 @@ std::vector<Subset> subsets_by_part(const StyledLevel& level) {
   return subsets;
 }
 
+/// The look that a level rubs by, where its maps do not say: that of the most triangles.
+std::string physical_look(const StyledLevel& level, Looks& looks) {
+  const std::vector<MaterialGroup> groups = groups_by_material(level.solid, level.mesh, LightInside::told);
+  return looks.name_for(level.solid, *std::max_element(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+                          return a.face.size() < b.face.size();
+                        }));
+}
+
 /// The name of the material that has the most triangles.
-std::string largest_look(const std::vector<Subset>& by_look) {
+std::string largest_look(const StyledLevel& level, const std::vector<Subset>& by_look, Looks& looks) {
+  if (!level.in_maps.empty()) return physical_look(level, looks);
   const auto most = std::max_element(by_look.begin(), by_look.end(),
                                      [](const Subset& a, const Subset& b) { return a.faces.size() < b.faces.size(); });
   return most->name.substr(std::string("look_").size());
@@ -95,11 +115,11 @@ void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const 
   line("int[] faceVertexIndices = " + list(corners));
   line("point3f[] points = " + list(points, of_points));
   line("normal3f[] normals = " + list(mesh.normal, of_normals) + " (interpolation = \"vertex\")");
-  if (mesh.uv.empty()) {
+  if (mesh.uv.empty())
     line("color3f[] primvars:displayColor = " + list(mesh.color, of_colors) + " (interpolation = \"vertex\")");
-  } else {
+  if (!mesh.uv.empty() || !mesh.look_place.empty()) {
     // Our rows of texels count from the top, USD's from the bottom.
-    std::vector<glm::vec2> places = mesh.uv;
+    std::vector<glm::vec2> places = mesh.uv.empty() ? mesh.look_place : mesh.uv;
     for (glm::vec2& place : places) place.y = 1 - place.y;
     line("texCoord2f[] primvars:st = " + list(places, of_places) + " (interpolation = \"vertex\")");
   }
@@ -110,7 +130,7 @@ void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const 
 enum class Approximation { separate_hulls, convex_hull, triangles };
 
 void append_mesh(std::string& text, int indent, const StyledLevel& level, const glm::vec3& pivot,
-                 const std::vector<Subset>& by_look, Approximation approximation) {
+                 const std::vector<Subset>& by_look, Approximation approximation, Looks& looks) {
   const auto line = [&](const std::string& words) { append_line(text, indent, words); };
   const bool collides = approximation != Approximation::separate_hulls;
   line("def Mesh \"mesh\" (");
@@ -124,7 +144,8 @@ void append_mesh(std::string& text, int indent, const StyledLevel& level, const 
     const bool is_hull = approximation == Approximation::convex_hull;
     line(std::string("    uniform token physics:approximation = ") + (is_hull ? "\"convexHull\"" : "\"none\""));
     // Subsets have looks of their own; what they lie on has that of most.
-    if (by_look.size() > 1) line("    rel material:binding:physics = <../Looks/" + largest_look(by_look) + ">");
+    if (by_look.size() > 1 || !level.in_maps.empty())
+      line("    rel material:binding:physics = <../Looks/" + largest_look(level, by_look, looks) + ">");
   }
   if (!level.solid.closed) line("    uniform bool doubleSided = 1");
   if (by_look.size() == 1) {
@@ -169,17 +190,30 @@ std::vector<std::string> append_looks(std::string& text, std::span<const StyledL
   append_line(text, 2, "{");
   for (std::size_t number = 0; number < levels.size(); ++number) {
     const StyledLevel& level = levels[number];
+    const auto append_reference = [&](const std::string& name, const std::string& look) {
+      append_line(text, 3, "def Material \"" + name + "\" (prepend references = </Looks/" + look + ">)");
+      append_line(text, 3, "{");
+      append_line(text, 3, "}");
+    };
+    for (const MaterialGroup& group : level.in_maps) {
+      const std::string name = name_in_maps(level, group, looks);
+      if (std::exchange(said[name], true)) continue;
+      if (number == 0) own.push_back(name);
+      append_reference(name, name);
+    }
+    if (!level.in_maps.empty()) {
+      const std::string physical = physical_look(level, looks);
+      if (!std::exchange(said[physical], true)) append_reference(physical, physical);
+      continue;
+    }
     for (const MaterialGroup& group : groups_by_material(level.solid, level.mesh, LightInside::told)) {
       const std::string look = looks.name_for(level.solid, group), name = material_name(look, level, number);
       if (std::exchange(said[name], true)) continue;
       if (number == 0) own.push_back(name);
-      if (level.texture.empty()) {
-        append_line(text, 3, "def Material \"" + name + "\" (prepend references = </Looks/" + look + ">)");
-        append_line(text, 3, "{");
-        append_line(text, 3, "}");
-      } else {
+      if (level.texture.empty())
+        append_reference(name, look);
+      else
         append_textured_material(text, 3, name, look, has_choices ? "" : level.texture);
-      }
     }
   }
   append_line(text, 2, "}");
@@ -236,13 +270,14 @@ void append_meshes(std::string& text, std::span<const StyledLevel> levels, const
   if (is_fruit(solid) && hulls > 1) parts = collision_parts(solid, hulls, StillShape::triangles);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     append_hull(text, "hull_" + std::to_string(i + 1), parts[i], pivot,
-                largest_look(subsets_by_material(levels.front(), 0, looks)));
+                largest_look(levels.front(), subsets_by_material(levels.front(), 0, looks), looks));
   }
   const Approximation approximation = !parts.empty()    ? Approximation::separate_hulls
                                       : is_fruit(solid) ? Approximation::convex_hull
                                                         : Approximation::triangles;
   const auto append = [&](std::size_t number, int indent) {
-    append_mesh(text, indent, levels[number], pivot, subsets_by_material(levels[number], number, looks), approximation);
+    append_mesh(text, indent, levels[number], pivot, subsets_by_material(levels[number], number, looks), approximation,
+                looks);
   };
   if (levels.size() == 1) return append(0, 2);
   append_line(text, 2, "variantSet \"LOD\" = {");

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "render/export/styled_mesh.h"
 #include "render/export/usd/usda_material.h"
@@ -15,6 +16,11 @@ struct StyledLevel {
   const StyledMesh& mesh;
   std::string texture =
       {};  ///< the file with its colours, for the mesh's texture coordinates; empty if vertices have colours
+
+  // Where maps tell looks.
+  std::vector<MaterialGroup> in_maps = {};  ///< of groups_in_maps(); none where each look has a material
+  std::string material = {};                ///< its name
+  MapFiles maps = {};                       ///< none on a palette
 };
 
 /// "def Xform NAME { ... }", a component: its mesh or, for several levels, the variant set LOD; mass, labels, and the

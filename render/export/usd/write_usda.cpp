@@ -8,6 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
+#include "render/export/look_palette.h"
 #include "render/export/piece_groups.h"
 #include "render/export/piece_words.h"
 #include "render/export/up_axis.h"
@@ -35,14 +36,34 @@ struct Pieces {
   std::vector<std::string> name;  ///< per solid
   std::string text;
   Looks looks;
+  LookPalette palette = {};  ///< of colours in vertices, where looks share a material
 };
+
+/// A level whose looks stand on the palette.
+MeshOnPalette on_palette_of(Pieces& pieces, const Solid& solid, const StyledMesh& mesh) {
+  return on_palette(mesh, groups_by_material(solid, mesh), pieces.palette);
+}
 
 void add_piece(Pieces& pieces, const std::string& name, const Solid& solid, const StyledMesh& mesh,
                std::span<const Solid> coarser, const ExportOptions& options) {
   const std::vector<StyledMesh> styled = styled_meshes(coarser, options);
   std::vector<StyledLevel> levels{{solid, mesh}};
   for (std::size_t level = 0; level < coarser.size(); ++level) levels.push_back({coarser[level], styled[level]});
-  pieces.text += piece_text(name, levels, pieces.looks, options);
+  if (options.atlas == AtlasOf::none) {
+    pieces.text += piece_text(name, levels, pieces.looks, options);
+    return;
+  }
+  std::vector<MeshOnPalette> placed;
+  for (const StyledLevel& level : levels) placed.push_back(on_palette_of(pieces, level.solid, level.mesh));
+  const std::string of = solid.origin.fruit.empty() ? solid.name : solid.origin.fruit;
+  std::vector<StyledLevel> joined;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    joined.push_back({.solid = levels[level].solid,
+                      .mesh = placed[level].mesh,
+                      .in_maps = std::move(placed[level].groups),
+                      .material = options.atlas == AtlasOf::file ? "looks" : of});
+  }
+  pieces.text += piece_text(name, joined, pieces.looks, options);
 }
 
 Pieces pieces_of(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
@@ -76,16 +97,60 @@ class TexturedPieces {
   std::vector<NamedFile> textures;
 
  private:
-  /// Adds a texture and returns its file's name. \param what it shows: the piece, and its kind.
-  std::string added_texture(const std::string& what, const Image& picture) {
-    textures.push_back({stem_ + "_" + what + ".png", write_png(picture, PngPacking::fast)});
-    return textures.back().name;
-  }
+  /// Adds a texture, or that of its page, and returns its file's name. \param what it shows: the piece, and its kind.
+  std::string added_texture(const std::string& what, const BakedSolid& baked);
+
+  /// A level with its maps in files.
+  StyledLevel level_of(const BakedSolid& baked, const StyledMesh& mesh, const std::string& what);
 
   const std::string& stem_;
   const ExportOptions& options_;
   PrimNames names_;
+  std::map<const TexturePage*, std::string> colors_of_page_;
+  std::map<const TexturePage*, MapFiles> maps_of_page_;
 };
+
+/// Adds the pictures of maps and returns their files' names; but for colours. \param name what their files begin with.
+MapFiles added_maps(const std::string& name, const SurfaceMaps& maps, std::vector<NamedFile>& files) {
+  const auto add = [&](const char* kind, const auto& picture, PngValues values) {
+    files.push_back({name + "_" + kind + ".png", write_png(picture, PngPacking::fast, values)});
+    return files.back().name;
+  };
+  MapFiles made{.orm = add("orm", maps.orm, PngValues::shares)};
+  if (!maps.normal.pixels.empty()) made.normal = add("normal", maps.normal, PngValues::shares);
+  if (!maps.coat.opacity.empty()) made.coat = add("coat", maps.coat, PngValues::shares);
+  if (!maps.sheen.opacity.empty()) made.sheen = add("sheen", maps.sheen, PngValues::srgb);
+  return made;
+}
+
+std::string TexturedPieces::added_texture(const std::string& what, const BakedSolid& baked) {
+  const auto add = [&](const std::string& shown, const Image& picture) {
+    textures.push_back({stem_ + "_" + shown + ".png", write_png(picture, PngPacking::fast)});
+    return textures.back().name;
+  };
+  if (!baked.page) return add(what, baked.texture);
+  std::string& known = colors_of_page_[baked.page.get()];
+  if (known.empty()) known = add(names_.name_for(baked.page->name), baked.page->texture);
+  return known;
+}
+
+StyledLevel TexturedPieces::level_of(const BakedSolid& baked, const StyledMesh& mesh, const std::string& what) {
+  StyledLevel level{baked.solid, mesh, added_texture(what, baked)};
+  const SurfaceMaps& maps = baked.page ? baked.page->maps : baked.maps;
+  if (!maps.tell_looks) return level;
+  level.in_maps = groups_in_maps(groups_by_material(baked.solid, mesh));
+  level.material = baked.page ? baked.page->name : what;
+  const std::string begin = level.texture.substr(0, level.texture.rfind('.'));
+  if (!baked.page) {
+    level.maps = added_maps(begin, maps, textures);
+  } else {
+    MapFiles& known = maps_of_page_[baked.page.get()];
+    if (!known.tell_looks()) known = added_maps(begin, maps, textures);
+    level.maps = known;
+  }
+  level.maps.color = level.texture;
+  return level;
+}
 
 void TexturedPieces::add(const BakedSolid& solid, std::span<const BakedSolid> coarser,
                          std::span<const TextureVariant> variants, std::size_t number) {
@@ -94,11 +159,9 @@ void TexturedPieces::add(const BakedSolid& solid, std::span<const BakedSolid> co
   const std::string& name = pieces.name.back() = names_.name_for(solid.solid.name);
   std::vector<StyledMesh> meshes{textured_mesh(solid)};
   for (const BakedSolid& level : coarser) meshes.push_back(textured_mesh(level));
-  std::vector<StyledLevel> levels{{solid.solid, meshes[0], added_texture(name, solid.texture)}};
-  for (std::size_t k = 0; k < coarser.size(); ++k) {
-    const std::string what = name + "_LOD" + std::to_string(k + 1);
-    levels.push_back({coarser[k].solid, meshes[k + 1], added_texture(what, coarser[k].texture)});
-  }
+  std::vector<StyledLevel> levels{level_of(solid, meshes[0], name)};
+  for (std::size_t k = 0; k < coarser.size(); ++k)
+    levels.push_back(level_of(coarser[k], meshes[k + 1], name + "_LOD" + std::to_string(k + 1)));
 
   std::vector<TextureChoice> choices;
   PrimNames of_variants;
@@ -107,7 +170,7 @@ void TexturedPieces::add(const BakedSolid& solid, std::span<const BakedSolid> co
     const BakedSolid& other = variant.solids.at(number);
     if (other.uv != solid.uv) throw Error(ExitStatus::bug, "a variant has an atlas of its own");
     const std::string called = of_variants.name_for(variant.name);
-    choices.push_back({called, added_texture(name + "_" + called, other.texture)});
+    choices.push_back({called, added_texture(name + "_" + called, other)});
   }
   pieces.text += piece_text(name, levels, pieces.looks, options_, choices);
 }
@@ -284,7 +347,19 @@ std::string file_text(const Scene& scene, const Pieces& pieces, const ExportOpti
 }  // namespace
 
 std::string write_usda(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
-  return file_text(scene, pieces_of(scene, options, levels), options);
+  ExportOptions without = options;
+  without.atlas = AtlasOf::none;
+  return file_text(scene, pieces_of(scene, without, levels), without);
+}
+
+UsdaFiles write_usda(const Scene& scene, const std::string& stem, const ExportOptions& options,
+                     std::span<const std::vector<Solid>> levels) {
+  UsdaFiles made;
+  Pieces pieces = pieces_of(scene, options, levels);
+  if (options.atlas != AtlasOf::none)
+    pieces.looks.finish(added_maps(stem + "_looks", pieces.palette.maps(), made.textures));
+  made.text = file_text(scene, pieces, options);
+  return made;
 }
 
 UsdaFiles write_usda(const Scene& scene, std::span<const BakedSolid> baked, const std::string& stem,

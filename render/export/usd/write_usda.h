@@ -24,9 +24,13 @@ struct UsdaFiles {
   std::vector<NamedFile> textures;  ///< .png
 };
 
+/// The same, with options.atlas: a look is a place on pictures "`stem`_looks_orm.png", ..., in place of a material.
+UsdaFiles write_usda(const Scene& scene, const std::string& stem, const ExportOptions& options,
+                     std::span<const std::vector<Solid>> levels = {});
+
 /// The same with the colours in textures, "`stem`_PIECE.png": `baked` and the levels have one entry per solid of the
-/// scene. \param variants as the variant set "ripeness", after "as_is". \throws Error (bug) if a variant has another
-/// atlas than its solid.
+/// scene. Where maps tell looks they are files, too, and a piece has one material; pages are shared. \param variants as
+/// the variant set "ripeness", after "as_is". \throws Error (bug) if a variant has another atlas than its solid.
 UsdaFiles write_usda(const Scene& scene, std::span<const BakedSolid> baked, const std::string& stem,
                      const ExportOptions& options = {}, std::span<const std::vector<BakedSolid>> levels = {},
                      std::span<const TextureVariant> variants = {});

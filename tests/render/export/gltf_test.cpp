@@ -10,6 +10,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
+#include "render/export/look_palette.h"
 #include "render/export/output.h"
 #include "render/export/pbr_material.h"
 #include "render/style/style_file.h"
@@ -636,6 +637,78 @@ TEST(Gltf, HasOneMaterialForAllPiecesOfAPage) {
   const std::vector<TextureVariant> variants{{"ripeness 0", on_pages(all, page_layout(sizes), "atlas")}};
   const Json with_variant = parsed(write_glb(scene, paged, {}, {}, variants));
   EXPECT_EQ(with_variant["materials"].size(), 2u);
+}
+
+/// Colours of vertices: each corner lies on texels that say what the material of its look says.
+TEST(Gltf, APaletteTellsTheLooksOfVerticesWithColours) {
+  const Scene scene = named::with_materials();
+  const StyledMesh mesh = styled_meshes(scene, {})[0];
+  const std::vector<MaterialGroup> groups = groups_by_material(scene.solids[0], mesh);
+  LookPalette palette;
+  const MeshOnPalette placed = on_palette(mesh, groups, palette);
+  ASSERT_EQ(placed.groups.size(), 1u);
+  ASSERT_EQ(placed.mesh.triangle.size(), mesh.triangle.size());
+  const SurfaceMaps maps = palette.maps();
+  ASSERT_EQ(groups.size(), 2u);
+  for (const MaterialGroup& group : groups) {
+    for (const std::int32_t face : group.face) {
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t vertex = placed.mesh.triangle[static_cast<std::size_t>(face)][k];
+        const std::uint32_t before = mesh.triangle[static_cast<std::size_t>(face)][k];
+        EXPECT_EQ(placed.mesh.position[vertex], mesh.position[before]);
+        EXPECT_EQ(placed.mesh.color[vertex], mesh.color[before]);
+        const glm::ivec2 texel(placed.mesh.look_place[vertex] * static_cast<float>(maps.orm.width));
+        EXPECT_NEAR(maps.orm.at(texel.x, texel.y).g / 255.0, group.look.roughness, 0.002);
+        EXPECT_NEAR(maps.coat.image.at(texel.x, texel.y).r / 255.0, group.look.clearcoat, 0.002);
+        EXPECT_NEAR(from_srgb8(maps.sheen.image.at(texel.x, texel.y)).r, group.look.sheen[0], 0.01);
+        const auto at = static_cast<std::size_t>(texel.y * maps.light.image.width + texel.x);
+        EXPECT_NEAR(maps.light.opacity[at] / 255.0, group.look.transmission, 0.002);
+      }
+    }
+  }
+}
+
+/// Two looks may share a vertex: both have one.
+TEST(Gltf, APaletteDoublesVerticesOfTwoLooks) {
+  StyledMesh mesh;
+  mesh.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  mesh.triangle = {{0, 1, 2}, {1, 3, 2}};
+  std::vector<MaterialGroup> groups{
+      {.look = {.roughness = 0.2}, .name = "a", .face = {0}, .triangle = {mesh.triangle[0]}},
+      {.look = {.roughness = 0.8}, .name = "b", .face = {1}, .triangle = {mesh.triangle[1]}}};
+  LookPalette palette;
+  const MeshOnPalette placed = on_palette(mesh, groups, palette);
+  EXPECT_EQ(placed.mesh.position.size(), 6u);
+  for (std::size_t t = 0; t < 2; ++t)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(placed.mesh.look_place[placed.mesh.triangle[t][k]], palette.place_of(groups[t].look));
+}
+
+TEST(Gltf, HasOneMaterialForVerticesWithColoursIfAsked) {
+  Scene scene = named::with_materials();
+  scene.solids.push_back(scene.solids[0]);
+  scene.solids[1].name = "other";
+  scene.instances.push_back({1, {}, "other"});
+  const std::size_t by_look = parsed(write_glb(scene))["materials"].size();
+  EXPECT_GT(by_look, 2u);
+  const Json by_piece = parsed(write_glb(scene, {.atlas = AtlasOf::piece}));
+  const Json by_file = parsed(write_glb(scene, {.compress = Compression::meshopt, .atlas = AtlasOf::file}));
+  EXPECT_EQ(by_piece["materials"].size(), 2u);
+  EXPECT_EQ(by_file["materials"].size(), 1u);
+  for (const Json& glb : {by_piece, by_file}) {
+    for (const Json& mesh : glb["meshes"]) {
+      ASSERT_EQ(mesh["primitives"].size(), 1u);
+      for (const char* attribute : {"COLOR_0", "TEXCOORD_0", "_PART"})
+        EXPECT_TRUE(mesh["primitives"][0]["attributes"].contains(attribute));
+    }
+    std::vector<std::string> names;
+    for (const Json& texture : glb["textures"]) names.push_back(texture["name"]);
+    EXPECT_THAT(names, ElementsAre("looks orm", "looks coat", "looks sheen", "looks light"));
+    for (const Json& material : glb["materials"]) {
+      EXPECT_TRUE(material["pbrMetallicRoughness"].contains("metallicRoughnessTexture"));
+      EXPECT_FALSE(material["pbrMetallicRoughness"].contains("baseColorTexture"));
+    }
+  }
 }
 
 TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {

@@ -6,6 +6,7 @@
 
 #include "generator/base/error.h"
 #include "render/export/usd/usda_text.h"
+#include "render/style/style_file.h"
 #include "tests/render/export/named_solids.h"
 
 namespace pomona {
@@ -184,6 +185,31 @@ TEST(Usda, ColoursInTexturesAreChosenByVariants) {
   EXPECT_EQ(occurrences(chosen.text, "\"ripeness_1_8\" {"), solids);
   EXPECT_EQ(occurrences(chosen.text, "asset inputs:file"), 3 * occurrences(plain.text, "asset inputs:file"));
   EXPECT_EQ(chosen.text.find("asset inputs:file") > chosen.text.find("variantSet "), true);
+}
+
+/// One material a piece; what it rubs by stays the look of its parts.
+TEST(Usda, MapsMayTellLooks) {
+  const Scene scene = named::with_materials();
+  const std::string by_look = write_usda(scene);
+  EXPECT_GT(occurrences(by_look, "familyName = \"materialBind\""), 1u);
+  const UsdaFiles painted = write_usda(scene, "dish", {.atlas = AtlasOf::file});
+  const std::vector<BakedSolid> baked =
+      all_baked(scene.solids, style_named("plain"), {.texels = 64, .maps = Maps::all, .looks = true});
+  const UsdaFiles textured = write_usda(scene, baked, "dish");
+  for (const UsdaFiles& files : {painted, textured}) {
+    EXPECT_EQ(occurrences(files.text, "familyName = \"materialBind\""), 0u);
+    EXPECT_EQ(occurrences(files.text, "rel material:binding = "), 1u);
+    EXPECT_EQ(occurrences(files.text, "rel material:binding:physics = "), 1u);
+    EXPECT_THAT(files.text, HasSubstr("float inputs:roughness.connect = <../orm.outputs:g>"));
+    EXPECT_THAT(files.text, HasSubstr("float inputs:clearcoat.connect = <../coat.outputs:r>"));
+    EXPECT_EQ(occurrences(files.text, "primvars:st ="), 1u);
+    for (const NamedFile& file : files.textures) EXPECT_THAT(files.text, HasSubstr("@./" + file.name + "@"));
+  }
+  EXPECT_EQ(painted.textures.size(), 3u) << "roughness, coat, sheen";
+  EXPECT_EQ(painted.textures[0].name, "dish_looks_orm.png");
+  EXPECT_EQ(occurrences(painted.text, "primvars:displayColor ="), 1u);
+  EXPECT_EQ(textured.textures.size(), 5u) << "colours and relief, too";
+  EXPECT_EQ(occurrences(textured.text, "primvars:displayColor ="), 0u);
 }
 
 TEST(Usda, VariantsOfAnotherAtlasAreAnError) {

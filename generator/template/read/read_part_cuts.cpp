@@ -1,4 +1,4 @@
-#include "generator/template/read/read_spared.h"
+#include "generator/template/read/read_part_cuts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -46,16 +46,20 @@ void check_spared(const TomlValue& value, const Template& fruit, int part) {
 
 }  // namespace
 
-std::vector<int> read_spared(const TomlTable& table, const Template& fruit) {
-  std::vector<int> spared;
+PartCuts read_part_cuts(const TomlTable& table, const Template& fruit) {
+  PartCuts cuts;
   for (std::size_t i = 0; i < fruit.parts.size(); ++i) {
     if (!table.has(fruit.parts[i])) continue;
     const TomlValue cut = table.get(fruit.parts[i]).table().get("cut");
-    if (cut.choice({"through", "spare"}) == 0) continue;
-    spared.push_back(static_cast<int>(i));
-    check_spared(cut, fruit, spared.back());
+    const std::size_t what = cut.choice({"through", "spare", "hold"});
+    if (what == 1) {
+      cuts.spared.push_back(static_cast<int>(i));
+      check_spared(cut, fruit, cuts.spared.back());
+    } else if (what == 2) {
+      cuts.held.push_back(static_cast<int>(i));
+    }
   }
-  return spared;
+  return cuts;
 }
 
 }  // namespace pomona
