@@ -32,6 +32,7 @@ STANDING = {"star_fruit": ["--view=18,35"]}  # a whole fruit, likewise: past a r
 ACROSS = {
     "cherry": "plane:0,1,0,13mm",  # through the stone: with the long stem, half the height lies above it
     "bread": "plane:1,0,0,0mm",  # these lie: a slice
+    "swiss_roll": "plane:1,0,0,0mm",
     "salami": "plane:1,0,0,0mm",
     "currants": "plane:0,1,0,26mm",  # through two berries, with seeds
     "mushroom": "plane:0,1,0,32mm",  # through the gills; half the height lies below them

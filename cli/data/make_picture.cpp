@@ -1,7 +1,9 @@
 #include "cli/data/make_picture.h"
 
 #include <algorithm>
+#include <optional>
 
+#include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/data/label_files.h"
@@ -13,8 +15,11 @@
 #include "generator/batch/batch_plan.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "render/image/backdrop.h"
+#include "render/image/environment.h"
+#include "render/image/linear_pixels.h"
 #include "render/image/png.h"
 #include "render/image/sensor.h"
+#include "render/picture/view_frame.h"
 #include "render/truth/ground_truth.h"
 #include "render/truth/layers.h"
 
@@ -46,9 +51,35 @@ ComposedPicture composed(const PictureTools& tools, std::int64_t number, const C
   }
 }
 
-/// The style with the light that was drawn.
-Style lit(Style style, const DrawnPicture& drawn) {
+/// What stands behind.
+struct Behind {
+  Image picture = {};                          ///< as the camera sees it
+  std::optional<EnvironmentLight> light = {};  ///< of an environment
+};
+
+/// Nothing if paper does.
+std::optional<Behind> behind(const DataDescription& data, const DrawnPicture& drawn, const View& view) {
+  if (!drawn.background) return {};
+  constexpr std::size_t max_picture = std::size_t{256} << 20;  // bytes
+  const auto& [file, is_environment] = data.ground.pictures[*drawn.background];
+  const Image whole = read_png(file_bytes(file, max_picture), file.string());
+  if (!is_environment) return Behind{cropped(whole, data.width, data.height, drawn.crop, drawn.crop_size)};
+  const ViewFrame frame = view_frame(view);
+  const CameraAxes camera{frame.right, frame.up, frame.back};
+  return Behind{seen_around(whole, camera, view.vertical_field, data.width, data.height), light_of(whole)};
+}
+
+/// The style with the light that was drawn; what no law says is as in the environment.
+Style lit(Style style, const DrawnPicture& drawn, const std::optional<Behind>& behind) {
   LightStyle& light = style.light;
+  if (behind && behind->light) {
+    const EnvironmentLight& around = *behind->light;
+    light.azimuth = around.azimuth - drawn.azimuth;  // a style's light turns with the viewer
+    light.elevation = around.elevation;
+    light.softness = around.softness;
+    light.strength = around.strength;
+    light.ambient = around.ambient;
+  }
   light.azimuth = drawn.light_azimuth.value_or(light.azimuth);
   light.elevation = drawn.light_elevation.value_or(light.elevation);
   light.strength = drawn.light_strength.value_or(light.strength);
@@ -72,18 +103,19 @@ CoveredShares coverage_of(const Scene& scene, const DataDescription& data) {
   return covered;
 }
 
-Image backdrop_of(const DataDescription& data, const DrawnPicture& drawn) {
-  constexpr std::size_t max_picture = std::size_t{256} << 20;  // bytes
-  const std::filesystem::path& file = data.ground.pictures[*drawn.background];
-  return cropped(read_png(file_bytes(file, max_picture), file.string()), data.width, data.height, drawn.crop,
-                 drawn.crop_size);
+/// Things in coloured light; the paper, which a picture replaces, stays white.
+Image tinted_things(const Image& image, const CoveredShares& covered, const Color& tint) {
+  std::vector<Color> pixels = linear_pixels(image);
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] *= glm::mix(Color(1), tint, covered[i]);
+  return image_of(pixels, image.width, image.height);
 }
 
 /// picture.png.
 std::string drawn_png(const PictureTools& tools, std::int64_t number, const DrawnPicture& drawn, Scene& scene) {
   const DataDescription& data = tools.plan.data;
-  Style style = lit(tools.styles.at(drawn.style), drawn);
-  const bool on_white = data.ground.transparent || drawn.background;
+  const std::optional<Behind> back = behind(data, drawn, scene.view);
+  Style style = lit(tools.styles.at(drawn.style), drawn, back);
+  const bool on_white = data.ground.transparent || back;
   if (!drawn.scene.paper) scene.paper = style.paper;
   if (on_white) {
     scene.paper = Color(1);
@@ -91,7 +123,11 @@ std::string drawn_png(const PictureTools& tools, std::int64_t number, const Draw
   }
   Image image = tools.draw(scene, style, {.width = data.width, .height = data.height, .threads = alone});
   if (data.ground.transparent) return write_png(before_nothing(image, coverage_of(scene, data)));
-  if (drawn.background) image = before(image, coverage_of(scene, data), backdrop_of(data, drawn));
+  if (back) {
+    const CoveredShares covered = coverage_of(scene, data);
+    if (back->light) image = tinted_things(image, covered, back->light->tint);
+    image = before(image, covered, back->picture);
+  }
   const VariantKey key{data.seed, static_cast<std::uint64_t>(number)};
   return write_png(sensed(image, {.exposure = drawn.exposure, .blur = drawn.blur, .noise = drawn.noise, .key = key}),
                    PngPacking::fast);
@@ -107,7 +143,10 @@ Json told(const PictureTools& tools, std::int64_t number, const DrawnPicture& dr
                {"azimuth", degrees * drawn.azimuth},
                {"elevation", degrees * drawn.elevation},
                {"field", degrees * drawn.field}};
-  if (drawn.background) json["background"] = data.ground.pictures[*drawn.background].filename().string();
+  if (drawn.background) {
+    const auto& [file, is_environment] = data.ground.pictures[*drawn.background];
+    json[is_environment ? "environment" : "background"] = file.filename().string();
+  }
   for (const auto& [key, value] : {std::pair("exposure", drawn.exposure), {"blur", drawn.blur}, {"noise", drawn.noise}})
     if (value != 0) json[key] = value;
   return json;

@@ -3,7 +3,10 @@
 #include "cli/options/file_kind.h"
 #include "cli/options/find_style.h"
 #include "cli/options/find_template.h"
+#include "generator/base/file_bytes.h"
 #include "generator/base/version.h"
+#include "render/image/environment.h"
+#include "render/image/png.h"
 
 namespace pomona {
 
@@ -21,6 +24,16 @@ void check_style(const std::string& style, const SourcePlace& place) {
   }
 }
 
+/// What is no environment is told before anything is made.
+void check_environments(const DataGround& ground) {
+  constexpr std::size_t max_picture = std::size_t{256} << 20;  // bytes
+  for (const DataBackground& picture : ground.pictures) {
+    if (!picture.is_environment) continue;
+    const std::string name = picture.file.string();
+    check_environment(read_png(file_bytes(picture.file, max_picture), name), name);
+  }
+}
+
 }  // namespace
 
 DataPlan wanted_data(const std::filesystem::path& file) {
@@ -28,6 +41,7 @@ DataPlan wanted_data(const std::filesystem::path& file) {
   DataPlan plan = planned(read_data(file), {.find = find_template, .all = all_templates});
   for (std::size_t i = 0; i < plan.data.style_places.size(); ++i)
     check_style(plan.data.styles[i], plan.data.style_places[i]);
+  check_environments(plan.data.ground);
   return plan;
 }
 

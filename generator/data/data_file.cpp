@@ -224,17 +224,19 @@ class DataReader {
   void read_ground(const TomlTable& table) {
     DataGround& ground = data_.ground;
     for (const TomlValue& paper : one_or_many(table.get("paper"))) ground.papers.push_back(paper.color());
-    for (const TomlValue& picture : one_or_many(table.get("picture"))) add_pictures(picture);
+    for (const TomlValue& picture : one_or_many(table.get("picture"))) add_pictures(picture, false);
+    for (const TomlValue& around : one_or_many(table.get("environment"))) add_pictures(around, true);
     ground.share = table.get("share").number(1, {0, 1});
-    if (table.has("share") && !table.has("picture"))
+    const bool has_pictures = table.has("picture") || table.has("environment");
+    if (table.has("share") && !has_pictures)
       table.get("share").error("is of pictures that are not named", "write picture = \"FOLDER\", or \"FILE.png\"");
     ground.transparent = table.get("transparent").boolean(false);
-    if (ground.transparent && table.has("picture"))
-      table.get("transparent").error("and \"picture\" exclude each other", "keep one of them");
+    if (ground.transparent && has_pictures)
+      table.get("transparent").error("and pictures behind exclude each other", "keep one of them");
   }
 
   /// A picture, or all those in a folder.
-  void add_pictures(const TomlValue& value) {
+  void add_pictures(const TomlValue& value, bool are_environments) {
     const std::string text = value.text();
     if (text.empty()) return;
     const fs::path path = folder_ / text;
@@ -248,7 +250,7 @@ class DataReader {
       found.push_back(path);
     }
     if (found.empty()) value.error("names no picture", "name a .png, or a folder of these, from the file's folder");
-    data_.ground.pictures.insert(data_.ground.pictures.end(), found.begin(), found.end());
+    for (const fs::path& file : found) data_.ground.pictures.push_back({file, are_environments});
   }
 
   void read_all_dishes(const TomlValue& value, const TomlTable& scene) {

@@ -79,11 +79,17 @@ struct DataCamera {
   Within noise{0, 0};     ///< standard deviation at white, of the range from black to white
 };
 
+/// A picture to stand behind.
+struct DataBackground {
+  std::filesystem::path file;
+  bool is_environment = false;  ///< shows all directions, and lights
+};
+
 struct DataGround {
-  std::vector<Color> papers;                    ///< equally likely; none = the style's
-  std::vector<std::filesystem::path> pictures;  ///< sorted by name
-  double share = 1;                             ///< how many pictures have one of them behind
-  bool transparent = false;                     ///< no ground at all but for the shadow's opacity
+  std::vector<Color> papers;             ///< equally likely; none = the style's
+  std::vector<DataBackground> pictures;  ///< those of a folder sorted by name; equally likely
+  double share = 1;                      ///< how many pictures have one of them behind
+  bool transparent = false;              ///< no ground at all but for the shadow's opacity
 };
 
 struct DataDescription {

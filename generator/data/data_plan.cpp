@@ -35,8 +35,10 @@ std::map<std::string, std::string> hashes_of(const DataDescription& data) {
   std::vector<std::pair<std::string, fs::path>> files;
   for (const std::string& style : data.styles)
     if (style.ends_with(".toml")) files.emplace_back("style " + fs::path(style).filename().string(), style);
-  for (const fs::path& picture : data.ground.pictures)
-    files.emplace_back("picture " + picture.filename().string(), picture);
+  for (const DataBackground& picture : data.ground.pictures) {
+    const char* kind = picture.is_environment ? "environment " : "picture ";
+    files.emplace_back(kind + picture.file.filename().string(), picture.file);
+  }
   for (const DataDish& one : data.dishes)
     if (!one.dish.mesh.empty()) files.emplace_back("mesh " + one.dish.mesh, folder / one.dish.mesh);
   for (const DataFruit& kind : data.kinds) {

@@ -172,12 +172,19 @@ std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, do
   return apart.scale >= 0.98 * mixed.scale ? std::move(apart.of_piece) : std::move(mixed.of_piece);
 }
 
+/// Other pieces may wind about the axis, too: leaves of a cabbage do.
+bool may_be_peel(const Solid& solid) {
+  const std::vector<std::string>& knives = solid.origin.knives;
+  return knives.empty() ||
+         std::any_of(knives.begin(), knives.end(), [](const std::string& knife) { return knife.starts_with("peel"); });
+}
+
 /// Hangs up strips of peel.
 /// \returns whether there are any.
 bool hang_peels(Scene& table) {
   bool any = false;
   for (Solid& solid : table.solids) {
-    std::optional<Solid> hung = hanging_peel(solid);
+    std::optional<Solid> hung = may_be_peel(solid) ? hanging_peel(solid) : std::nullopt;
     if (!hung) continue;
     solid = std::move(*hung);
     any = true;
@@ -259,12 +266,12 @@ Scene without_crumbs(Scene pieces) {
   return pieces;
 }
 
-Scene laid_out(const Scene& scene, double aspect) {
+Scene laid_out(const Scene& scene, double aspect, Peels peels) {
   Scene table = scene;
   table.ground = true;
   glm::dvec3 eye = eye_over_table();
   if (!table.instances.empty()) {
-    const bool hangs = hang_peels(table);
+    const bool hangs = peels == Peels::hang && hang_peels(table);
     Turned turned = turn_all(table, eye, hangs);
     const bool stands = turned.as_grown > 0.5;
     if (stands) {

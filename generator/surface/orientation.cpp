@@ -1,8 +1,8 @@
 #include "generator/surface/orientation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -31,6 +31,7 @@ class Orienter {
     turn_alike();
     turn_touching();
     turn_shells();
+    leave_out_twins();
     return std::move(result_);
   }
 
@@ -97,20 +98,34 @@ class Orienter {
     const Enclosures closed = closed_ones(measured);
     std::vector<std::vector<std::uint32_t>> triangles(measured.size());
     std::vector<std::uint8_t> may_turn(measured.size(), 1);
+    is_twin_.assign(shells.of_triangle.size(), 0);
     for (std::uint32_t i = 0; i < shells.of_triangle.size(); ++i) {
       if (shells.of_triangle[i] == Shells::none) continue;
       const auto s = static_cast<std::size_t>(shells.of_triangle[i]);
       triangles[s].push_back(i);
       if (may_turn_[i] == 0) may_turn[s] = 0;
     }
-    for (std::size_t s = 0; s < measured.size(); ++s) {
+    std::vector<std::string> faults(measured.size());
+    is_twin_shell_.assign(measured.size(), 0);
+    for (const std::size_t s : largest_first(measured)) {
       if (may_turn[s] == 0) continue;
-      const std::string why =
-          measured[s].closed ? turn_closed(s, measured, closed, triangles[s]) : fault_of_open(measured[s]);
-      if (why.empty()) continue;
-      const std::uint32_t first = triangles[s].front();
-      result_.undecided.push_back({surfaces().surface[first], place(first), why});
+      faults[s] = measured[s].closed ? turn_closed(s, measured, closed, triangles[s]) : fault_of_open(measured[s]);
     }
+    for (std::size_t s = 0; s < measured.size(); ++s) {
+      if (faults[s].empty()) continue;
+      const std::uint32_t first = triangles[s].front();
+      result_.undecided.push_back({surfaces().surface[first], place(first), faults[s]});
+    }
+  }
+
+  /// What lies around a shell comes before it.
+  static std::vector<std::size_t> largest_first(const std::vector<Shell>& measured) {
+    std::vector<std::size_t> order(measured.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::fabs(measured[a].volume) > std::fabs(measured[b].volume);
+    });
+    return order;
   }
 
   Enclosures closed_ones(const std::vector<Shell>& measured) {
@@ -132,21 +147,29 @@ class Orienter {
                           const std::vector<std::uint32_t>& triangles) {
     const Shell& shell = measured[s];
     if (shell.volume == 0) return {};
-    const std::array<int, 2> inside = samples_in_odd_and_even(s, measured, closed);
-    const int all = inside[0] + inside[1];
+    const Samples inside = samples_of(s, measured, closed);
+    const int all = inside.even + inside.odd;
+    if (all > 0 && inside.in_twin == all) {
+      is_twin_shell_[s] = 1;
+      for (const std::uint32_t t : triangles) is_twin_[t] = 1;
+      return {};
+    }
     // Most of its points must agree, so that shells that touch others, or sink in a little, are decided.
-    const bool is_odd = 4 * inside[1] >= 3 * all, is_even = 4 * inside[0] >= 3 * all;
+    const bool is_odd = 4 * inside.odd >= 3 * all, is_even = 4 * inside.even >= 3 * all;
     if (!is_odd && !is_even) return shell.volume > 0 ? std::string() : "it faces inwards and crosses another shell";
     if (is_even == (shell.volume > 0)) return {};
     for (const std::uint32_t t : triangles) turn(t);
     return {};
   }
 
-  /// Counts points just within the shell around which solid lies in an even and in an odd number of other shells.
-  std::array<int, 2> samples_in_odd_and_even(std::size_t s, const std::vector<Shell>& measured,
-                                             const Enclosures& closed) {
+  /// Points just within a shell: how many lie in an even and in an odd number of other shells, and how many in air but
+  /// for an equal shell at the same place.
+  struct Samples {
+    int even = 0, odd = 0, in_twin = 0;
+  };
+  Samples samples_of(std::size_t s, const std::vector<Shell>& measured, const Enclosures& closed) {
     const Shell& shell = measured[s];
-    std::array<int, 2> count{0, 0};
+    Samples count;
     const std::size_t samples = std::min<std::size_t>(16, shell.triangles.size());
     for (std::size_t k = 0; k < samples; ++k) {
       const glm::uvec3& t = shell.triangles[k * shell.triangles.size() / samples];
@@ -159,16 +182,30 @@ class Orienter {
       int others = 0;
       bool has_wall = false;
       for (const auto& [mesh, times] : closed.around((a + b + c) / 3.0 + inwards)) {
-        if (mesh == s || times == 0) continue;
+        if (mesh == s || times == 0 || is_twin_shell_[mesh] != 0) continue;
         const Size size = size_beside(measured[mesh], shell);
         if (size == Size::larger) ++others;
         if (size == Size::equal && comes_first(mesh, s, measured)) has_wall = true;
       }
       // Of equal shells within a solid the first is the wall of a hollow, and the others fill it.
+      if (has_wall && others % 2 == 0) ++count.in_twin;
       if (has_wall && others % 2 == 1) ++others;
-      ++count[static_cast<std::size_t>(others % 2)];
+      ++(others % 2 == 0 ? count.even : count.odd);
     }
     return count;
+  }
+
+  /// A shell that the file has twice is there once.
+  void leave_out_twins() {
+    if (std::none_of(is_twin_.begin(), is_twin_.end(), [](std::uint8_t twin) { return twin != 0; })) return;
+    DiffusionSurfaces& all = surfaces();
+    const auto leave_out = [&](auto& values) {
+      std::size_t i = 0;
+      std::erase_if(values, [&](const auto&) { return is_twin_[i++] != 0; });
+    };
+    leave_out(all.triangle);
+    for (auto* indices : {&all.surface, &all.front_part, &all.back_part, &all.instance})
+      if (!indices->empty()) leave_out(*indices);
   }
 
   /// What lies around a shell encloses more than it.
@@ -194,6 +231,8 @@ class Orienter {
 
   const std::vector<std::uint8_t>& may_turn_;
   std::vector<glm::uvec3> turnable_;  ///< welded, facing air; those that may not turn collapsed
+  std::vector<std::uint8_t> is_twin_shell_;
+  std::vector<std::uint8_t> is_twin_;  ///< per triangle: of a shell that is there already
   Oriented result_;
 };
 

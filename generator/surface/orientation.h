@@ -25,9 +25,9 @@ struct Oriented {
 
 /// Orients the triangles of each shell alike, and closed shells by the number of others around them: the side that
 /// faces air looks outwards if it is even, inwards, as the wall of a hollow, if it is odd. Only larger shells count as
-/// around; of equal ones at one place within a solid one is a wall, and the other fills its hollow. Only triangles that
-/// may turn do. Shells that cross others keep an outward orientation. What shares edges is told apart first
-/// (turns_where_solids_touch).
+/// around; of equal ones at one place within a solid one is a wall, and the other fills its hollow; in air the others
+/// are left out. Only triangles that may turn do. Shells that cross others keep an outward orientation. What shares
+/// edges is told apart first (turns_where_solids_touch).
 Oriented oriented(DiffusionSurfaces surfaces, const std::vector<std::uint8_t>& may_turn);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Sheets of a template: leaves that wrap each other, plates that hang side by side.
+// Sheets of a template: leaves that wrap each other, plates that hang side by side, rolls and stacks.
 #pragma once
 
 #include <string>
@@ -36,12 +36,15 @@ struct SheetSketch {
     head,     ///< leaves that wrap each other over the end of the axis
     rosette,  ///< leaves that end before it
     blades,   ///< plates in half-planes through the axis
+    roll,     ///< sheets wound around the axis
+    stack,    ///< layers over each other
   };
   std::string name;
   Kind kind = Kind::head;
   int count = 1;       ///< 0: they are left out
   Curve inner, outer;  ///< side view, open: where the first leaf lies and the last one, from the base to the tip; of
-                       ///< blades their two edges, from the axis outwards
+                       ///< blades their two edges, from the axis outwards; of a roll its innermost turn and its
+                       ///< outermost; of a stack its underside and its top, from the axis outwards
   double divergence = 2.39996322972865332;  ///< radians from leaf to leaf; by default the golden angle
   double turn_jitter = 0;                   ///< standard deviation of a leaf's azimuth, radians
 
@@ -58,9 +61,13 @@ struct SheetSketch {
   double stand_off = 0;  ///< how far the tip of the last leaf stands off, metres; younger ones less
 
   std::vector<double> lengths = {1.0};  ///< blades: in turn, as a share of the curves, from their outer ends inwards
-  double sway = 0;                      ///< blades: how far they wave to either side, metres
+  double sway = 0;                      ///< blades and rolls: how far they wave to either side, metres
+  double turns = 3;                     ///< rolls: how often each sheet goes around
+  Curve loop;                           ///< stacks: the outline seen from above; empty: a circle
+  double stray = 0;                     ///< stacks: standard deviation of how far a layer lies off the axis, metres
 
-  Side front, back;  ///< `around` runs across the leaf, `turn` from the youngest to the oldest
+  Side front, back;  ///< `around` runs across the leaf, `turn` from the youngest to the oldest; in a roll `around` runs
+                     ///< from its inner end to its outer one, in a stack around the axis
   SheetVeins veins = {};
   double blur = 0;  ///< metres
   int around = 40, along = 32;

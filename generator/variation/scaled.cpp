@@ -36,9 +36,10 @@ void scale(SurfaceSketch& surface, double factor) {
 void scale(SheetSketch& sheet, double factor) {
   scale(sheet.inner, factor);
   scale(sheet.outer, factor);
+  scale(sheet.loop, factor);
   scale(sheet.thickness, factor);
   scale(sheet.rib.height, factor);
-  for (double* length : {&sheet.ruffle.height, &sheet.gap, &sheet.stand_off, &sheet.sway, &sheet.blur})
+  for (double* length : {&sheet.ruffle.height, &sheet.gap, &sheet.stand_off, &sheet.sway, &sheet.stray, &sheet.blur})
     *length *= factor;
 }
 

@@ -70,12 +70,13 @@ Delivered piece_files(SceneViews pieces, const OrderedFruit& fruit, const Order&
   const bool apart = order.cut.explode > 1;
   const Scene moved = apart ? exploded(in_place, order.cut.explode) : Scene();
   const bool has_models = any_is(order.outputs, model_formats), is_welded = has_models && order.mesh.welded;
-  const auto on_table = [&](const Scene& whole) {
-    return apart ? standing(moved) : laid_out(whole, picture_aspect(order, how));
+  const auto on_table = [&](const Scene& whole, Peels peels) {
+    return apart ? standing(moved) : laid_out(whole, picture_aspect(order, how), peels);
   };
   std::optional<Scene> shown, modelled;
-  if (any_is(order.outputs, picture_formats)) shown = on_table(order.cut.crumbs ? in_place : without_crumbs(in_place));
-  if (has_models) modelled = is_welded ? standing(in_place) : on_table(in_place);
+  if (any_is(order.outputs, picture_formats))
+    shown = on_table(order.cut.crumbs ? in_place : without_crumbs(in_place), Peels::hang);
+  if (has_models) modelled = is_welded ? standing(in_place) : on_table(in_place, Peels::as_cut);
   delivered.add(files({.placed = apart ? moved : in_place,
                        .shown = shown ? &*shown : nullptr,
                        .modelled = modelled ? &*modelled : nullptr,

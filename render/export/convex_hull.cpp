@@ -1,9 +1,11 @@
 #include "render/export/convex_hull.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -32,22 +34,83 @@ glm::vec3 from_cgal(const Point& p) {
 
 bool is_before(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-/// Sorts vertices by place, and triangles from their smallest vertex on: only the division of flat faces still depends
-/// on CGAL.
+std::array<Point, 3> corners_of(const Surface& surface, Surface::Face_index face) {
+  const auto edge = surface.halfedge(face);
+  return {surface.point(surface.source(edge)), surface.point(surface.target(edge)),
+          surface.point(surface.target(surface.next(edge)))};
+}
+
+/// The triangles of a hull in groups that lie in a plane each.
+std::vector<std::vector<Surface::Face_index>> flat_faces(const Surface& surface) {
+  std::set<Surface::Face_index> taken;
+  std::vector<std::vector<Surface::Face_index>> groups;
+  for (const Surface::Face_index start : surface.faces()) {
+    const auto [p, q, r] = corners_of(surface, start);
+    if (taken.contains(start) || CGAL::collinear(p, q, r)) continue;
+    const auto is_in_plane = [&, &a = p, &b = q, &c = r](Surface::Face_index face) {
+      const std::array<Point, 3> corners = corners_of(surface, face);
+      return std::all_of(corners.begin(), corners.end(),
+                         [&](const Point& corner) { return CGAL::coplanar(a, b, c, corner); });
+    };
+    taken.insert(start);
+    std::vector<Surface::Face_index> group{start};
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      for (const auto edge : surface.halfedges_around_face(surface.halfedge(group[i]))) {
+        const Surface::Face_index beside = surface.face(surface.opposite(edge));
+        if (!taken.contains(beside) && is_in_plane(beside)) taken.insert(beside), group.push_back(beside);
+      }
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// The corners of a flat face in their order, without those within an edge.
+std::vector<Surface::Vertex_index> rim_of(const Surface& surface, const std::vector<Surface::Face_index>& group) {
+  std::map<Surface::Vertex_index, Surface::Vertex_index> next;
+  for (const Surface::Face_index face : group) {
+    for (const auto edge : surface.halfedges_around_face(surface.halfedge(face))) {
+      const bool is_rim = std::find(group.begin(), group.end(), surface.face(surface.opposite(edge))) == group.end();
+      if (is_rim) next[surface.source(edge)] = surface.target(edge);
+    }
+  }
+  std::vector<Surface::Vertex_index> corners;
+  for (const auto& [before, at] : next) {
+    const bool is_corner = !CGAL::collinear(surface.point(before), surface.point(at), surface.point(next.at(at)));
+    if (is_corner) corners.push_back(at);
+  }
+  if (corners.empty()) return {};
+  const std::set<Surface::Vertex_index> real(corners.begin(), corners.end());
+  std::vector<Surface::Vertex_index> around;
+  const Surface::Vertex_index first = corners.front();
+  for (Surface::Vertex_index at = first; around.empty() || at != first; at = next.at(at))
+    if (real.contains(at)) around.push_back(at);
+  return around;
+}
+
+/// Sorts vertices by place, and triangles from their smallest vertex on. CGAL divides flat faces otherwise in each run,
+/// by where things lie in memory: here they are fans around their smallest corner.
 ConvexHull ordered(const Surface& surface) {
+  std::vector<std::vector<Point>> faces;
   ConvexHull hull;
-  for (const auto vertex : surface.vertices()) hull.position.push_back(from_cgal(surface.point(vertex)));
+  for (const std::vector<Surface::Face_index>& group : flat_faces(surface)) {
+    faces.emplace_back();
+    for (const Surface::Vertex_index corner : rim_of(surface, group)) {
+      faces.back().push_back(surface.point(corner));
+      hull.position.push_back(from_cgal(faces.back().back()));
+    }
+  }
   std::sort(hull.position.begin(), hull.position.end(), is_before);
+  hull.position.erase(std::unique(hull.position.begin(), hull.position.end()), hull.position.end());
   const auto number_of = [&](const Point& point) {
     const auto at = std::lower_bound(hull.position.begin(), hull.position.end(), from_cgal(point), is_before);
     return static_cast<std::uint32_t>(at - hull.position.begin());
   };
-  for (const auto face : surface.faces()) {
+  for (const std::vector<Point>& face : faces) {
     std::vector<std::uint32_t> corner;
-    for (const auto vertex : surface.vertices_around_face(surface.halfedge(face)))
-      corner.push_back(number_of(surface.point(vertex)));
+    for (const Point& point : face) corner.push_back(number_of(point));
     std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
-    hull.triangle.emplace_back(corner[0], corner[1], corner[2]);
+    for (std::size_t k = 2; k < corner.size(); ++k) hull.triangle.emplace_back(corner[0], corner[k - 1], corner[k]);
   }
   std::sort(hull.triangle.begin(), hull.triangle.end(),
             [](const glm::uvec3& a, const glm::uvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });

@@ -6,6 +6,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "generator/base/utf8.h"
+
 namespace pomona {
 
 namespace {
@@ -22,8 +24,9 @@ void append_decimals(std::string& text, const glm::vec3& vector) {
   for (int axis = 0; axis < 3; ++axis) append_decimal(text, vector[axis]);
 }
 
-/// A name is one word, because blanks would make several names.
-std::string one_word(std::string name) {
+/// A name is one word, because blanks would make several names, and UTF-8.
+std::string one_word(std::string_view any_name) {
+  std::string name = as_utf8(any_name);
   std::replace_if(
       name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
   return name;

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/utf8.h"
 #include "generator/surface/file/one_line.h"
 
 namespace pomona {
@@ -42,7 +43,7 @@ Parts parts_of(const Scene& scene) {
 std::string header_of(const Scene& scene, const Parts& parts, std::size_t vertices, std::size_t faces) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment made by Pomona\n";
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
-    text += "comment piece " + std::to_string(i) + " " + one_line(scene.instances[i].name) + "\n";
+    text += "comment piece " + std::to_string(i) + " " + one_line(as_utf8(scene.instances[i].name)) + "\n";
   for (std::size_t i = 0; i < parts.names.size(); ++i)
     text += "comment part " + std::to_string(i) + " " + one_line(parts.names[i]) + "\n";
   text += "element vertex " + std::to_string(vertices) +

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "generator/base/number_text.h"
+#include "generator/base/utf8.h"
 
 namespace pomona::pov {
 namespace {
@@ -46,7 +47,8 @@ int exponent_for(double size, int digits) {
   return exponent;
 }
 
-std::string commentable(std::string text) {
+std::string commentable(std::string_view any_text) {
+  std::string text = as_utf8(any_text);
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   return text;

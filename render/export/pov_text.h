@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include <glm/vec3.hpp>
 
@@ -22,7 +23,7 @@ double power_of_ten(int exponent);
 int exponent_for(double size, int digits);
 
 /// The text, made safe for a one-line comment.
-std::string commentable(std::string text);
+std::string commentable(std::string_view any_text);
 
 /// The text between double quotes, with what is special in it escaped.
 std::string quoted(const std::string& text);

@@ -167,9 +167,15 @@ BlockMask ChartOutline::mask(const Turn& turn, double blocks_per_metre) const {
   // From each of them a look-up also reads the blocks to the right and below.
   BlockMask mask(cells.x + 1, cells.y + 1);
   for (int y = 0; y < cells.y; ++y) {
-    for (int x = 0; x < cells.x; ++x) {
-      if (!touched.has(x, y)) continue;
-      for (const glm::ivec2 at : {glm::ivec2(x, y), {x + 1, y}, {x, y + 1}, {x + 1, y + 1}}) mask.set(at.x, at.y);
+    for (const int below : {y, y + 1}) {
+      std::uint64_t* const row = &mask.bits[static_cast<std::size_t>(below) * mask.words()];
+      std::uint64_t last = 0;
+      for (int w = 0; w < mask.words(); ++w) {
+        const std::uint64_t word =
+            w < touched.words() ? touched.bits[static_cast<std::size_t>(y) * touched.words() + w] : 0;
+        row[w] |= word | word << 1 | last >> 63;
+        last = word;
+      }
     }
   }
   for (const std::uint64_t word : mask.bits) mask.count += std::popcount(word);

@@ -74,10 +74,20 @@ class Names(unittest.TestCase):
 
     def test_names_that_are_no_utf8(self):
         self.cherry(b"bad\xff.toml")
-        self.pomona("cut", b"./bad\xff.toml", *QUICK, "-o", "o.svg", "-o", "o.usda", "-o", "o.glb")
+        outputs = ["o.svg", "o.usda", "o.glb", "o.obj", "o.ply", "o.html", "o.pov"]
+        self.pomona("cut", b"./bad\xff.toml", *QUICK, *[word for name in outputs for word in ("-o", name)])
         xml.dom.minidom.parse(str(self.path / "o.svg"))
         self.assertIn("bad\ufffd", (self.path / "o.usda").read_text(encoding="utf-8"))
         self.assertIn("bad\ufffd", (self.path / "o.svg").read_text(encoding="utf-8"))
+        self.assertIn("o bad\ufffd", (self.path / "o.obj").read_text(encoding="utf-8"))
+        self.assertIn("bad\ufffd", (self.path / "o.ply").read_bytes().partition(b"end_header")[0].decode())
+        for name in ("o.html", "o.pov"):
+            (self.path / name).read_text(encoding="utf-8")
+        # Names of textures follow that of the output.
+        self.pomona("cut", SOURCE / "templates/cherry.toml", *QUICK, "--texture", "64", "-o", b"t\xfe.usda")
+        text = (self.path / b"t\xfe.usda".decode(errors="surrogateescape")).read_text(encoding="utf-8")
+        textures = set(re.findall(r"inputs:file = @([^@]*)@", text))
+        self.assertTrue(textures and all((self.path / name).is_file() for name in textures), textures)
 
     def test_asset_paths_of_usd(self):
         for name in ("a@@@b", "a@@@@b", "@@@", "a@b", "plain"):

@@ -247,6 +247,20 @@ TEST(PlyDialect, ColoursInAPictureAreTold) {
   EXPECT_EQ(parse_plain_surfaces(bytes, "x", "").notes, surfaces.notes);
 }
 
+TEST(PlyDialect, ColoursByOtherNamesAreTold) {
+  const auto notes_with = [](const std::string& property) {
+    const std::string values = replaced(ply_vertices, "\n", " 9\n");
+    return parse_surfaces(ply(values, ply_faces, "property " + property + "\n"), "x").notes;
+  };
+  for (const char* property : {"float ambient_red", "uint rgb", "float f_dc_0", "uchar Intensity", "uchar red"}) {
+    const std::vector<std::string> notes = notes_with(property);
+    ASSERT_EQ(notes.size(), 1u) << property;
+    EXPECT_THAT(notes[0], HasSubstr("a name that is not read"));
+  }
+  for (const char* property : {"float quality", "float blur", "uchar scattered"})
+    EXPECT_TRUE(notes_with(property).empty()) << property;
+}
+
 TEST(PlyDialect, AConcaveFaceStaysWithinItselfAlsoBeforeItsVertices) {
   const std::string c = "4 1 0\n1 1 0\n1 3 0\n4 3 0\n4 4 0\n0 4 0\n0 0 0\n4 0 0\n";
   const std::string vertex = "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n";

@@ -347,6 +347,23 @@ TEST(Orientation, WhatFillsAHollowWhollyIsCountedOnce) {
   }
 }
 
+TEST(Orientation, AShellThatIsThereTwiceCountsOnce) {
+  for (int way = 0; way < 8; ++way) {
+    SCOPED_TRACE(way);
+    const Cube a{.inwards = (way & 1) != 0}, b{.inwards = (way & 2) != 0}, c{.inwards = (way & 4) != 0};
+    EXPECT_EQ(bodies_of({a, b, c}).bodies.size(), 1u);
+    const Bodies in_two_meshes = find_bodies(sweep(fruit_of({obj_of({a}), obj_of({b})})));
+    ASSERT_EQ(in_two_meshes.bodies.size(), 1u);
+    EXPECT_DOUBLE_EQ(in_two_meshes.bodies[0].volume, 8);
+    EXPECT_TRUE(in_two_meshes.warnings.empty());
+  }
+  // With a hollow, and beside another of its size.
+  const Bodies hollow = bodies_of({{.half = 2}, {.half = 1}, {.half = 2}, {.half = 2, .at = {9, 0, 0}}});
+  double volume = 0;
+  for (const Bodies::Body& body : hollow.bodies) volume += body.volume;
+  EXPECT_NEAR(volume, 64 - 8 + 64, 1e-9);
+}
+
 TEST(Orientation, WhatCrossesFacesAsItsFileSays) {
   const std::vector<Cube> crossing{{.half = 2}, {.half = 1, .at = {2, 0, 0}}};
   EXPECT_EQ(bodies_of(crossing).bodies.size(), 2u);

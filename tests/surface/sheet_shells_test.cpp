@@ -1,6 +1,7 @@
 // Leaves that wrap each other, and blades.
 #include "generator/surface/sweep/sheet_shells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -100,6 +101,127 @@ TEST(SheetShells, BladesStandSideBySide) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("too thick for their number"), std::string::npos);
   }
+}
+
+/// Sheets around the axis between two upright lines.
+SheetSketch rolled(int count, double turns) {
+  SheetSketch roll = leaves(count);
+  roll.kind = SheetSketch::Kind::roll;
+  roll.turns = turns;
+  roll.inner.points = {{0.003, 0}, {0.003, 0.05}};
+  roll.outer.points = {{0.03, 0}, {0.028, 0.04}, {0.026, 0.05}};
+  roll.thickness = Ramp<double>::constant(0.002);
+  roll.around = 40;
+  roll.along = 8;
+  return roll;
+}
+
+/// Layers between two level lines and a bulge.
+SheetSketch stacked(int count) {
+  SheetSketch stack = leaves(count);
+  stack.kind = SheetSketch::Kind::stack;
+  stack.inner.points = {{0, 0}, {0.04, 0}};
+  stack.outer.points = {{0, 0.03}, {0.03, 0.03}, {0.04, 0.028}};
+  stack.thickness = Ramp<double>::constant(0.003);
+  stack.divergence = 0;
+  stack.turn_jitter = 0;
+  stack.ruffle = {};
+  stack.around = 40;
+  stack.along = 10;
+  return stack;
+}
+
+void expect_refused(const SheetSketch& sketch, const std::string& words) {
+  try {
+    sweep(head(sketch), {.key = {3, 0}});
+    ADD_FAILURE() << "not refused: " << words;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+double volume_of_bodies(const DiffusionSurfaces& surfaces) {
+  double sum = 0;
+  for (const Bodies::Body& body : find_bodies(surfaces).bodies) sum += body.volume;
+  return sum;
+}
+
+TEST(SheetShells, ARollIsOneBodyForEachSheet) {
+  for (const int count : {1, 3}) {
+    SheetSketch roll = rolled(count, 9.0 / count);
+    for (const double sway : {0.0, 0.004}) {
+      roll.sway = sway;
+      const DiffusionSurfaces surfaces = sweep(head(roll), {.key = {3, 0}});
+      EXPECT_TRUE(crossing_triangles(surfaces).empty()) << count;
+      const Bodies bodies = find_bodies(surfaces);
+      EXPECT_EQ(bodies.bodies.size(), static_cast<std::size_t>(count));
+      for (const Bodies::Body& body : bodies.bodies) EXPECT_TRUE(body.closed && body.volume > 0);
+    }
+  }
+}
+
+// As long as the spiral, as high as the lines, as thick as it says: but for its rims, and for chords.
+TEST(SheetShells, ARollHasTheVolumeOfASheet) {
+  SheetSketch roll = rolled(1, 9);
+  roll.outer.points = {{0.03, 0}, {0.03, 0.05}};
+  roll.around = 160;
+  roll.along = 60;
+  const double length = 9 * 2 * 3.14159265358979 * (0.003 + 0.03) / 2;
+  const double volume = volume_of_bodies(sweep(head(roll), {.key = {3, 0}}));
+  EXPECT_NEAR(volume, length * 0.05 * 0.002, 0.05 * volume);
+}
+
+TEST(SheetShells, ARollIsRefusedWhereItsTurnsWouldCross) {
+  expect_refused(rolled(1, 14), "so many turns have no room");
+  SheetSketch roll = rolled(1, 5);
+  roll.outer.points = {{0.03, 0.05}, {0.03, 0}};
+  expect_refused(roll, "cross, or run apart too steeply");
+  roll = rolled(1, 5);
+  roll.inner.points = {{0.0005, 0}, {0.0005, 0.05}};
+  expect_refused(roll, "reaches the axis");
+}
+
+TEST(SheetShells, LayersOfAStackDoNotCrossWhereverTheyEnd) {
+  SheetSketch stack = stacked(6);
+  stack.outline_jitter = 0.08;
+  stack.stray = 0.003;
+  stack.turn_jitter = 0.5;
+  stack.ruffle = {0.004, 5};
+  stack.gap = 1e-4;
+  stack.loop = loop([](double angle) { return 1 + 0.2 * std::cos(4 * angle); });
+  const DiffusionSurfaces surfaces = sweep(head(stack), {.key = {3, 0}});
+  EXPECT_TRUE(crossing_triangles(surfaces).empty());
+  const Bodies bodies = find_bodies(surfaces);
+  ASSERT_EQ(bodies.bodies.size(), 6u);
+  for (const Bodies::Body& body : bodies.bodies) EXPECT_TRUE(body.closed && body.volume > 0);
+  const DiffusionSurfaces other = sweep(head(stack), {.key = {4, 0}});
+  EXPECT_EQ(surfaces.triangle, other.triangle);
+  EXPECT_NE(surfaces.position, other.position);
+}
+
+TEST(SheetShells, AStackReachesFromOneCurveToTheOther) {
+  SheetSketch stack = stacked(3);
+  stack.outer.points = {{0, 0.03}, {0.04, 0.03}};
+  stack.by_age = Ramp<double>{{{0.0, 1.0}, {1.0, 2.0}}};
+  stack.around = 120;
+  stack.along = 40;
+  const DiffusionSurfaces surfaces = sweep(head(stack), {.key = {3, 0}});
+  double low = 1, high = 0;
+  for (const glm::vec3& p : surfaces.position) {
+    low = std::min(low, static_cast<double>(p.y));
+    high = std::max(high, static_cast<double>(p.y));
+  }
+  EXPECT_NEAR(low, 0, 1e-6);
+  EXPECT_NEAR(high, 0.03, 1e-6);
+  const double discs = 3.14159265358979 * 0.04 * 0.04 * 0.003 * (1 + 1.5 + 2);
+  EXPECT_NEAR(volume_of_bodies(surfaces), discs, 0.05 * discs) << "but for round rims";
+}
+
+TEST(SheetShells, AStackWithoutRoomIsRefused) {
+  expect_refused(stacked(11), "so many layers have no room");
+  SheetSketch stack = stacked(6);
+  stack.outer.points = {{0, 0.03}, {0.039, 0.03}, {0.04, 0.001}};
+  expect_refused(stack, "so many layers have no room");
 }
 
 TEST(SheetShells, TooManyLeavesAreRefused) {

@@ -1,6 +1,7 @@
 #include "generator/surface/file/ply_colors.h"
 
 #include <algorithm>
+#include <string>
 
 #include "generator/surface/file/channel_scale.h"
 
@@ -40,6 +41,20 @@ std::optional<VectorNames> srgb_of(const PlyElement& element) {
 }  // namespace
 
 bool is_float(PlyType type) { return type == PlyType::float32 || type == PlyType::float64; }
+
+std::optional<std::string_view> unread_color(const PlyElement& element) {
+  if (srgb_of(element)) return {};
+  constexpr std::array<std::string_view, 5> words{"_red", "rgb", "color", "colour", "f_dc"};
+  constexpr std::array<std::string_view, 4> names{"red", "gray", "grey", "intensity"};
+  for (const PlyProperty& property : element.properties) {
+    std::string name(property.name);
+    std::transform(name.begin(), name.end(), name.begin(), lower);
+    const auto is_in = [&](std::string_view word) { return name.find(word) != std::string::npos; };
+    const bool is_one = std::find(names.begin(), names.end(), name) != names.end();
+    if (is_one || std::any_of(words.begin(), words.end(), is_in)) return property.name;
+  }
+  return {};
+}
 
 PlyColors::PlyColors(const PlyElement& element) : names_(srgb_of(element)) {
   for (const PlyProperty& property : element.properties) {

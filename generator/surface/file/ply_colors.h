@@ -18,6 +18,9 @@ using VectorNames = std::array<std::string_view, 3>;
 
 bool is_float(PlyType type);
 
+/// The name of a property that seems to be a colour, if an element has its colours by names that are not read.
+std::optional<std::string_view> unread_color(const PlyElement& element);
+
 /// The colours of an element's items as in the file, sRGB. A full channel is 255 for bytes; for floats it depends on
 /// the largest.
 class PlyColors {

@@ -61,6 +61,7 @@ class SurfaceReader {
     round_positions();
     check_whole();
     name_surfaces_and_parts();
+    note_unread_colors();
     refuse_inside_out();
     return with_outer_skin(std::move(surfaces_));
   }
@@ -486,6 +487,17 @@ class SurfaceReader {
     for (const std::string& comment : ply_.header().comments) {
       if (!comment.starts_with("TextureFile") || has_color_) continue;
       surfaces_.notes.push_back("its colours are in a picture (" + comment.substr(0, 80) + "), which is not read");
+      return;
+    }
+  }
+
+  /// Notes that colours are there by names that are not read.
+  void note_unread_colors() {
+    for (const PlyElement& element : ply_.header().elements) {
+      const std::optional<std::string_view> name = has_color_ ? std::nullopt : unread_color(element);
+      if (!name) continue;
+      surfaces_.notes.push_back("it has colours by a name that is not read, \"" + std::string(*name) +
+                                "\"; red, green and blue would be");
       return;
     }
   }

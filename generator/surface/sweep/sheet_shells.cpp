@@ -129,12 +129,30 @@ std::vector<SweptGrid> blade_shells(const Template& fruit, const SheetSketch& sk
   return blades;
 }
 
+namespace {
+
+std::vector<SweptGrid> shells_of(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
+  switch (sketch.kind) {
+    case SheetSketch::Kind::blades:
+      return blade_shells(fruit, sketch, options);
+    case SheetSketch::Kind::roll:
+      return roll_shells(fruit, sketch, options);
+    case SheetSketch::Kind::stack:
+      return stack_shells(fruit, sketch, options);
+    case SheetSketch::Kind::head:
+    case SheetSketch::Kind::rosette:
+      break;
+  }
+  return leaf_shells(fruit, sketch, options);
+}
+
+}  // namespace
+
 void append_sheets(DiffusionSurfaces& surfaces, const Template& fruit, const SweepOptions& options) {
   const BodyMap map(fruit);
   for (const SheetSketch& sketch : fruit.sheets) {
     if (sketch.count == 0) continue;
-    std::vector<SweptGrid> shells = sketch.kind == SheetSketch::Kind::blades ? blade_shells(fruit, sketch, options)
-                                                                             : leaf_shells(fruit, sketch, options);
+    std::vector<SweptGrid> shells = shells_of(fruit, sketch, options);
     GridPainter painter(surfaces, sketch.name, sketch.front, sketch.back, Ramp<double>::constant(sketch.blur));
     for (SweptGrid& shell : shells) {
       for (glm::dvec3& p : shell.position) p = map(p);

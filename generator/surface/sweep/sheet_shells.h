@@ -1,4 +1,4 @@
-// Sheets as closed shells: leaves that lie on each other, plates side by side.
+// Sheets as closed shells: leaves that lie on each other, plates side by side, what is rolled or stacked.
 #pragma once
 
 #include <vector>
@@ -23,6 +23,15 @@ std::vector<SweptGrid> leaf_shells(const Template& fruit, const SheetSketch& ske
 /// Plates in half-planes through the axis.
 /// \throws Error (bad_data) where they are too thick for their number
 std::vector<SweptGrid> blade_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options);
+
+/// Sheets that wind around the axis from the innermost turn to the outermost, side by side where they are several.
+/// Vertices of neighbouring turns lie at the same azimuths, so flat facets keep their order.
+/// \throws Error (bad_data) where so many turns have no room between the two curves
+std::vector<SweptGrid> roll_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options);
+
+/// Layers over each other: each between two heights over the ground that its neighbours share, wherever it ends.
+/// \throws Error (bad_data) where so many layers have no room between the two curves
+std::vector<SweptGrid> stack_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options);
 
 /// Appends all sheets of the fruit, one surface for each sketch.
 void append_sheets(DiffusionSurfaces& surfaces, const Template& fruit, const SweepOptions& options);

@@ -71,7 +71,14 @@ SheetVeins read_veins(const TomlTable& table) {
   return veins;
 }
 
-/// What leaves say, and blades do not.
+SheetRuffle read_ruffle(const TomlTable& table) {
+  SheetRuffle ruffle;
+  ruffle.height = table.need("height").length(0, small);
+  ruffle.waves = table.get("waves").integer(ruffle.waves, 0, 40);
+  return ruffle;
+}
+
+/// What leaves say, and other sheets do not.
 void read_leaf(const TomlTable& table, SheetSketch& sheet) {
   read_sheet_law(table.get("law").table(), sheet);
   sheet.outline = read_numbers(table.need("outline"), 0.6, {0.02, 1.2});
@@ -81,11 +88,7 @@ void read_leaf(const TomlTable& table, SheetSketch& sheet) {
   sheet.reach_jitter = table.get("reach_jitter").number(0, {0, 0.2});
   sheet.by_age = read_numbers(table.get("by_age"), 1, {0.1, 4});
   if (table.has("rib")) sheet.rib = read_rib(table.get("rib").table());
-  if (table.has("ruffle")) {
-    const TomlTable ruffle = table.get("ruffle").table();
-    sheet.ruffle.height = ruffle.need("height").length(0, small);
-    sheet.ruffle.waves = ruffle.get("waves").integer(4, 0, 40);
-  }
+  if (table.has("ruffle")) sheet.ruffle = read_ruffle(table.get("ruffle").table());
   sheet.stand_off = table.get("stand_off").length(0, {0, 0.2});
   if (table.has("veins")) sheet.veins = read_veins(table.get("veins").table());
 }
@@ -99,6 +102,78 @@ void read_blade(const TomlTable& table, SheetSketch& sheet) {
   sheet.sway = table.get("sway").length(0, small);
 }
 
+void read_roll(const TomlTable& table, SheetSketch& sheet) {
+  sheet.turns = table.need("turns").number(sheet.turns, {0.5, 60});
+  sheet.sway = table.get("sway").length(0, small);
+  sheet.by_age = read_numbers(table.get("by_age"), 1, {0.1, 4});
+}
+
+/// The heights of a stack are asked for at every distance from the axis.
+void check_runs_outwards(const TomlValue& value, const Curve& curve) {
+  const std::vector<glm::dvec2>& points = curve.points;
+  if (points.empty()) return;
+  const auto turns_back = [](const glm::dvec2& a, const glm::dvec2& b) { return b.x <= a.x; };
+  if (points.front().x > 0 || std::adjacent_find(points.begin(), points.end(), turns_back) != points.end())
+    value.error("does not run from the axis outwards", "draw it from x = 0 on, ever further from the axis");
+}
+
+void read_stack(const TomlTable& table, CurveReader& curves, SheetSketch& sheet) {
+  const TomlTable law = table.get("law").table();
+  sheet.divergence = law.get("divergence").angle(0, {0, 359});
+  sheet.turn_jitter = law.get("jitter").angle(0, {0, 90});
+  check_runs_outwards(table.get("inner"), sheet.inner);
+  check_runs_outwards(table.get("outer"), sheet.outer);
+  if (table.has("horizontal")) {
+    const std::optional<DrawnCurve> loop = curves.read(table.get("horizontal"), SketchView::top);
+    if (loop) note(table.get("horizontal"), *loop, fault_of_loop_around_axis(loop->curve, CylindricalSymmetry{}));
+    if (loop) sheet.loop = counter_clockwise(loop->curve);
+  }
+  sheet.outline_jitter = table.get("outline_jitter").number(0, {0, 0.3});
+  sheet.stray = table.get("stray").length(0, small);
+  sheet.by_age = read_numbers(table.get("by_age"), 1, {0.1, 4});
+  if (table.has("ruffle")) sheet.ruffle = read_ruffle(table.get("ruffle").table());
+}
+
+/// What only this kind says.
+void read_kind(const TomlTable& table, CurveReader& curves, SheetSketch& sheet) {
+  switch (sheet.kind) {
+    case SheetSketch::Kind::head:
+    case SheetSketch::Kind::rosette:
+      return read_leaf(table, sheet);
+    case SheetSketch::Kind::blades:
+      return read_blade(table, sheet);
+    case SheetSketch::Kind::roll:
+      return read_roll(table, sheet);
+    case SheetSketch::Kind::stack:
+      return read_stack(table, curves, sheet);
+  }
+}
+
+/// Vertices across and along, unless the template says.
+struct UsualGrid {
+  int around = 40, along = 32;
+};
+
+UsualGrid usual_grid(SheetSketch::Kind kind) {
+  switch (kind) {
+    case SheetSketch::Kind::blades:
+      return {6, 16};
+    case SheetSketch::Kind::roll:
+    case SheetSketch::Kind::stack:
+      return {72, 12};
+    case SheetSketch::Kind::head:
+    case SheetSketch::Kind::rosette:
+      break;
+  }
+  return {};
+}
+
+/// Two faces of all sheets, two triangles to each of their cells; a roll has `around` of them on every turn.
+double triangles_of(const SheetSketch& sheet) {
+  const double turns = sheet.kind == SheetSketch::Kind::roll ? std::max(1.0, sheet.turns) : 1;
+  return 4.0 * sheet.count * turns * sheet.around * sheet.along;
+}
+
 Side read_sheet_side(const TomlTable& table, const char* key, const Template& fruit) {
   const TomlTable side = table.need(key).table();
   if (side.has("spots")) side.get("spots").error("are for surfaces", "paint a coat");
@@ -107,16 +182,12 @@ Side read_sheet_side(const TomlTable& table, const char* key, const Template& fr
 
 SheetSketch read_sheet(const TomlTable& table, CurveReader& curves, const Template& fruit) {
   SheetSketch sheet;
-  sheet.kind = static_cast<SheetSketch::Kind>(table.need("kind").choice({"head", "rosette", "blades"}));
-  const bool blades = sheet.kind == SheetSketch::Kind::blades;
+  sheet.kind =
+      static_cast<SheetSketch::Kind>(table.need("kind").choice({"head", "rosette", "blades", "roll", "stack"}));
   sheet.count = table.need("count").integer(1, 1, max_sheets);
   sheet.inner = read_edge(table.need("inner"), curves);
   sheet.outer = read_edge(table.need("outer"), curves);
-  if (blades) {
-    read_blade(table, sheet);
-  } else {
-    read_leaf(table, sheet);
-  }
+  read_kind(table, curves, sheet);
   sheet.thickness = read_lengths(table.need("thickness"), 1e-3, thick);
   sheet.gap = table.get("gap").length(sheet.gap, {1e-5, 0.05});
   sheet.front = read_sheet_side(table, "front", fruit);
@@ -124,8 +195,9 @@ SheetSketch read_sheet(const TomlTable& table, CurveReader& curves, const Templa
   if (sheet.front.hidden && sheet.back.hidden)
     table.error("have both sides hidden", "hide only the side that faces air");
   sheet.blur = table.get("blur").length(0, {0, 0.01});
-  sheet.around = table.get("around").integer(blades ? 6 : sheet.around, 3, 200);
-  sheet.along = table.get("along").integer(blades ? 16 : sheet.along, 3, 200);
+  const UsualGrid usual = usual_grid(sheet.kind);
+  sheet.around = table.get("around").integer(usual.around, 3, 200);
+  sheet.along = table.get("along").integer(usual.along, 3, 200);
   return sheet;
 }
 
@@ -141,9 +213,10 @@ std::vector<SheetSketch> read_sheets(const TomlTable& root, CurveReader& curves,
     names.push_back(read_name(table.need("name"), names));
     sheets.push_back(read_sheet(table, curves, fruit));
     sheets.back().name = names.back();
-    triangles += 4.0 * sheets.back().count * sheets.back().around * sheets.back().along;
+    triangles += triangles_of(sheets.back());
     if (triangles > max_sheet_triangles) {
-      table.error("makes more than 1 000 000 triangles", "lower \"count\", \"around\" or \"along\"");
+      table.error("makes more than 1 000 000 triangles",
+                  "lower \"count\", \"around\" or \"along\", or the turns of a roll");
       break;
     }
   }

@@ -8,6 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
+#include "generator/base/utf8.h"
 #include "render/export/look_palette.h"
 #include "render/export/piece_groups.h"
 #include "render/export/piece_words.h"
@@ -88,7 +89,7 @@ Pieces pieces_of(const Scene& scene, const ExportOptions& options, std::span<con
 /// Pieces with textures, and the textures as files.
 class TexturedPieces {
  public:
-  TexturedPieces(const std::string& stem, const ExportOptions& options) : stem_(stem), options_(options) {}
+  TexturedPieces(const std::string& stem, const ExportOptions& options) : stem_(as_utf8(stem)), options_(options) {}
 
   void add(const BakedSolid& solid, std::span<const BakedSolid> coarser, std::span<const TextureVariant> variants,
            std::size_t number);
@@ -103,7 +104,7 @@ class TexturedPieces {
   /// A level with its maps in files.
   StyledLevel level_of(const BakedSolid& baked, const StyledMesh& mesh, const std::string& what);
 
-  const std::string& stem_;
+  std::string stem_;
   const ExportOptions& options_;
   PrimNames names_;
   std::map<const TexturePage*, std::string> colors_of_page_;
@@ -357,7 +358,7 @@ UsdaFiles write_usda(const Scene& scene, const std::string& stem, const ExportOp
   UsdaFiles made;
   Pieces pieces = pieces_of(scene, options, levels);
   if (options.atlas != AtlasOf::none)
-    pieces.looks.finish(added_maps(stem + "_looks", pieces.palette.maps(), made.textures));
+    pieces.looks.finish(added_maps(as_utf8(stem) + "_looks", pieces.palette.maps(), made.textures));
   made.text = file_text(scene, pieces, options);
   return made;
 }

@@ -68,9 +68,13 @@ templates = "radish"
 
 def png_bytes(width, height, color):
     """A picture of one colour."""
+    return png_of((b"\0" + bytes(color) * width) * height, width, height)
+
+
+def png_of(rows, width, height):
+    """A picture of rows, each after a byte that says that it is not filtered."""
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-    rows = (b"\0" + bytes(color) * width) * height
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
             + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
@@ -271,6 +275,26 @@ class Looks(Sandbox):
             ground = [color for color, piece in both if piece == 0]
             self.assertGreater(sum(max(abs(a - b) for a, b in zip(p, color)) <= 2 for p in ground), 0.25 * len(ground))
             self.assertLess(sum(p[1] > color[1] + 3 for p in ground), 0.02 * len(ground) + 40)
+
+    def test_in_an_environment(self):
+        # A lamp to the right of a viewer from +Z, over black ground: the same set is lit by it wherever the camera is.
+        sky = [[(90, 90, 90)] * 64 for _ in range(16)] + [[(0, 0, 0)] * 64 for _ in range(16)]
+        for y in range(6, 10):
+            sky[y][44:52] = [(255, 200, 120)] * 8
+        (self.path / "room.png").write_bytes(png_of(b"".join(b"\0" + b"".join(map(bytes, row)) for row in sky), 64, 32))
+        self.prepare(self.path, self.LOOK + '[ground]\nenvironment = "room.png"\n')
+        self.run_data("--quiet")
+        for number in ("000", "001"):
+            folder = self.path / "out/pictures" / number
+            one = json.loads((folder / "annotations.json").read_text())
+            self.assertEqual(one["images"][0]["environment"], "room.png")
+            both = list(zip(pixels(folder / "picture.png"), pixels(folder / "instance.png")))
+            # Seen from above, what stands behind is below the horizon.
+            ground = [color for color, piece in both if piece == 0]
+            self.assertGreater(sum(max(p) < 12 for p in ground), 0.8 * len(ground))
+        self.prepare(self.path, self.LOOK + '[ground]\nenvironment = "square.png"\n')
+        (self.path / "square.png").write_bytes(png_bytes(8, 8, (9, 9, 9)))
+        self.assertIn("twice as wide as high", self.run_pomona("check", "small.toml", status=65).stderr)
 
     def test_before_nothing(self):
         self.prepare(self.path, self.LOOK + "[ground]\ntransparent = true\n")
