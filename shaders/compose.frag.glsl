@@ -24,7 +24,7 @@ uniform float pixel_angle;  // size of a pixel at distance 1
 
 #ifdef DETAILED
 #include "detail.glsl"
-uniform sampler2D guide_ways;    // to the skin, and the depth of the layer
+#include "guide_lattice.glsl"
 uniform sampler2D guide_shares;  // of each detail
 #endif
 
@@ -59,7 +59,7 @@ struct Nearest {
   vec3 normal;
   float rim;  // of a part on a cut face: millimetres to its border
 #ifdef DETAILED
-  vec4 guide_way, guide_share;
+  vec4 guide_share;
 #endif
 };
 
@@ -72,7 +72,6 @@ Nearest nearest_at(ivec2 at) {
   found.normal = normal_rim.xyz;
   found.rim = normal_rim.w;
 #ifdef DETAILED
-  found.guide_way = texelFetch(guide_ways, at, 0);
   found.guide_share = texelFetch(guide_shares, at, 0);
 #endif
   return found;
@@ -171,8 +170,9 @@ vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to,
   vec3 color = modulated(nearest.albedo.rgb, fruit_position, footprint, solid);
   vec3 normal = nearest.normal;
 #ifdef DETAILED
+  vec4 way_layer = way_layer_at(solid, fruit_position, cut && nearest.guide_share != vec4(0.0));
   Detailed with_details = detailed(color, normal, nearest.albedo.rgb, turn_to_fruit(instance), fruit_position, footprint,
-                                   solid, cut, nearest.guide_way, nearest.guide_share);
+                                   solid, cut, way_layer, nearest.guide_share);
   color = with_details.color;
   normal = with_details.normal;
 #endif

@@ -2,8 +2,7 @@ layout(location = 0) out vec4 albedo;
 layout(location = 1) out vec4 normal_line;
 layout(location = 2) out uint id;
 #ifdef DETAILED
-layout(location = 3) out vec4 guide_way;
-layout(location = 4) out vec4 guide_share;
+layout(location = 3) out vec4 guide_share;
 #endif
 
 void main() {
@@ -11,6 +10,6 @@ void main() {
   normal_line = vec4(0.0, 1.0, 0.0, 0.0);
   id = 0u;
 #ifdef DETAILED
-  guide_way = guide_share = vec4(0.0);
+  guide_share = vec4(0.0);
 #endif
 }

@@ -1,4 +1,4 @@
-// The inputs of later passes: the plain colour and the material, normal, id, and the guide of texture detail if a scene
+// The inputs of later passes: the plain colour and the material, normal, id, and the shares of texture detail if a scene
 // has any. It does little, because most of what is drawn here is hidden again, or too small to fill a block of pixels.
 #include "gbuffer.glsl"
 
@@ -16,9 +16,8 @@ layout(location = 1) out vec4 normal_line;
 layout(location = 2) out uint id;
 
 #ifdef DETAILED
-in vec4 way_layer, share;
-layout(location = 3) out vec4 guide_way;
-layout(location = 4) out vec4 guide_share;
+in vec4 share;
+layout(location = 3) out vec4 guide_share;
 #endif
 
 void main() {
@@ -27,7 +26,6 @@ void main() {
   normal_line = vec4(gl_FrontFacing ? n : -n, rim);
   id = instance_id | texelFetch(triangle_tags, first_triangle + gl_PrimitiveID).r;
 #ifdef DETAILED
-  guide_way = way_layer;
   guide_share = share;
 #endif
 }

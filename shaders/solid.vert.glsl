@@ -6,9 +6,8 @@ layout(location = 3) in float material;
 layout(location = 4) in vec4 relief;  // addition of the parts' relief to the normal of a cut face; metres to the part's rim
 
 #ifdef DETAILED
-layout(location = 5) in vec4 guide_way;    // to the skin, metres; depth of the layer
-layout(location = 6) in vec4 guide_share;  // of each detail
-out vec4 way_layer, share;
+layout(location = 5) in vec4 guide_share;  // of each detail
+out vec4 share;
 #endif
 
 uniform mat4 placement;  // fruit to scene
@@ -27,7 +26,6 @@ void main() {
   plain_color = color;
   material_number = material;
 #ifdef DETAILED
-  way_layer = guide_way;
   share = guide_share;
 #endif
   gl_Position = projection * (placement * vec4(position, 1.0));

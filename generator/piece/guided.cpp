@@ -1,9 +1,11 @@
 #include "generator/piece/guided.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "generator/base/parallel.h"
+#include "generator/cut/section/guide_lattice.h"
 #include "generator/diffusion/pmvc/diffused_values.h"
 #include "generator/mesh/weld.h"
 #include "generator/surface/bodies.h"
@@ -27,7 +30,7 @@ struct CutDetail {
   int number = 0;
 };
 
-/// Points to be measured and diffused; equal positions are stored once.
+/// Points to be measured; equal positions are stored once.
 struct GuidePlaces {
   std::vector<glm::vec3> position;
   std::vector<std::uint32_t> of_vertex;
@@ -38,20 +41,6 @@ struct ChosenPlaces {
   std::vector<glm::vec3> position;
   std::vector<std::size_t> place;
 };
-
-/// These places and those up to three triangles away.
-std::vector<std::uint8_t> with_neighbours(std::vector<std::uint8_t> counts, const CrossSection& section,
-                                          const GuidePlaces& places) {
-  for (int ring = 0; ring < 3; ++ring) {
-    std::vector<std::uint8_t> grown = counts;
-    for (const glm::uvec3& t : section.triangle) {
-      const std::uint32_t a = places.of_vertex[t.x], b = places.of_vertex[t.y], c = places.of_vertex[t.z];
-      if ((counts[a] | counts[b] | counts[c]) != 0) grown[a] = grown[b] = grown[c] = 1;
-    }
-    counts = std::move(grown);
-  }
-  return counts;
-}
 
 /// The details that have an effect, in the template's order.
 std::vector<CutDetail> cut_details(const Template& fruit) {
@@ -74,8 +63,7 @@ GuidePlaces guide_places(const std::vector<glm::vec3>& vertices) {
   return places;
 }
 
-/// For each point: 1 where any of the details may have an effect, by the parts of the vertices there; also up to three
-/// triangles away, because pictures blend the guides of a triangle's corners, and those of all triangles in a pixel.
+/// For each place: 1 where any of the details may have an effect, by the parts of the vertices there.
 std::vector<std::uint8_t> places_by_part(const CrossSection& section, const std::vector<CutDetail>& details,
                                          const GuidePlaces& places) {
   std::vector<std::uint8_t> counts(places.position.size(), 0);
@@ -86,19 +74,22 @@ std::vector<std::uint8_t> places_by_part(const CrossSection& section, const std:
           return std::find(parts.begin(), parts.end(), section.part[v]) != parts.end();
         }));
   }
-  return with_neighbours(std::move(counts), section, places);
+  return counts;
 }
 
-/// The same for vertices in whose guide one of the details has a share.
-std::vector<std::uint8_t> places_by_share(const CrossSection& section, const std::vector<CutDetail>& details,
-                                          const GuidePlaces& places) {
-  std::vector<std::uint8_t> counts(places.position.size(), 0);
-  for (const CutDetail& detail : details) {
-    for (std::size_t v = 0; v < section.guide.size(); ++v) {
-      if (section.guide[v].share[detail.number] != 0) counts[places.of_vertex[v]] = 1;
-    }
+/// The triangles with a corner in whose guide one of the details has a share.
+std::vector<std::array<glm::dvec3, 3>> triangles_by_share(const CrossSection& section,
+                                                          const std::vector<CutDetail>& details) {
+  const auto has_share = [&](std::uint32_t v) {
+    return std::any_of(details.begin(), details.end(),
+                       [&](const CutDetail& detail) { return section.guide[v].share[detail.number] != 0; });
+  };
+  std::vector<std::array<glm::dvec3, 3>> triangles;
+  for (const glm::uvec3& t : section.triangle) {
+    if (!has_share(t.x) && !has_share(t.y) && !has_share(t.z)) continue;
+    triangles.push_back({section.position[t.x], section.position[t.y], section.position[t.z]});
   }
-  return with_neighbours(std::move(counts), section, places);
+  return triangles;
 }
 
 ChosenPlaces chosen(const GuidePlaces& places, const std::vector<std::uint8_t>& counts) {
@@ -195,31 +186,40 @@ LayerDepths layer_depths(const DiffusionSurfaces& layers, const SkinDepth& skin,
   return found;
 }
 
-/// Per place: the outward unit vector across the layers, and the layer's depth, metres. Zero where it is not needed.
-std::vector<glm::vec4> ways_and_layers(const DiffusionSurfaces& swept, const Template& fruit, const SkinDepth& skin,
-                                       const GuidePlaces& places, const std::vector<std::uint8_t>& wanted,
-                                       bool with_layers, Threads threads) {
-  std::vector<glm::vec4> found(places.position.size(), glm::vec4(0));
-  const ChosenPlaces asked = chosen(places, wanted);
-  const DiffusionSurfaces layers = layers_of(swept, fruit);
-  if (layers.triangle.empty() || asked.position.empty()) return found;
+/// The box of the vertices of triangles, which no cut changes.
+Box<double> box_of(const DiffusionSurfaces& swept) {
+  Box<double> box;
+  for (const glm::uvec3& t : swept.triangle)
+    for (int k = 0; k < 3; ++k) box.add(glm::dvec3(swept.position[t[k]]));
+  return box;
+}
 
-  // Diffused values lie between 0 and 1: normals halved, depths as shares of the deepest.
-  std::vector<glm::vec4> value;
-  for (const Color& normal : vertex_normals(layers)) value.emplace_back(0.5f * normal + 0.5f, 0.0f);
-  LayerDepths depth;
-  if (with_layers) {
-    depth = layer_depths(layers, skin, threads);
-    for (std::size_t v = 0; v < value.size(); ++v) value[v].w = depth.share[v];
-  }
-  const std::vector<glm::vec4> diffused = diffused_values(layers, value, asked.position, threads);
-  for (std::size_t i = 0; i < diffused.size(); ++i) {
-    const glm::vec3 way = 2.0f * glm::vec3(diffused[i]) - 1.0f;
-    const float length = glm::length(way);
-    found[asked.place[i]] = {length > 1e-6f ? way / length : glm::vec3(0),
-                             static_cast<float>(depth.deepest) * diffused[i].w};
-  }
-  return found;
+/// The nodes' values. Nodes beyond the skin, at the corners of cells on it, have ways that lead back inwards, so that
+/// the way is 0 on the skin between them.
+std::vector<glm::vec4> node_values(const std::vector<glm::vec3>& places, double cell, const DiffusionSurfaces& swept,
+                                   const Template& fruit, const SkinDepth& skin, Threads threads) {
+  const std::vector<DetailGuide> guides = layer_guides(places, swept, fruit, skin, threads);
+  std::vector<glm::vec4> value(guides.size());
+  parallel_for(guides.size(), threads, [&](std::size_t i) {
+    const bool near_skin = static_cast<double>(glm::length(guides[i].to_skin)) < 2 * cell;
+    const bool outside = near_skin && skin.is_closed() && !skin.skin().contains(glm::dvec3(places[i]));
+    value[i] = {outside ? -guides[i].to_skin : guides[i].to_skin, guides[i].layer};
+  });
+  return value;
+}
+
+/// The lattice around these triangles; null if there are none.
+std::shared_ptr<const GuideLattice> lattice_around(const std::vector<std::array<glm::dvec3, 3>>& triangles,
+                                                   const DiffusionSurfaces& swept, const Template& fruit,
+                                                   const SkinDepth& skin, Threads threads) {
+  if (triangles.empty() || swept.triangle.empty()) return nullptr;
+  const LatticeFrame frame = lattice_frame(box_of(swept));
+  const std::vector<glm::ivec3> nodes = nodes_around(frame, triangles);
+  std::vector<glm::vec3> places;
+  places.reserve(nodes.size());
+  for (const glm::ivec3& node : nodes) places.emplace_back(frame.place_of(node));
+  return std::make_shared<const GuideLattice>(frame, nodes,
+                                              node_values(places, frame.spacing, swept, fruit, skin, threads));
 }
 
 }  // namespace
@@ -233,6 +233,37 @@ glm::vec4 detail_shares(const Template& fruit, DetailFace face, std::int32_t par
     share[next++] = counts ? static_cast<float>(detail.depth(depth)) : 0.0f;
   }
   return share;
+}
+
+bool has_directed_details(const Template& fruit) {
+  const std::vector<CutDetail> details = cut_details(fruit);
+  return std::any_of(details.begin(), details.end(), runs_anywhere);
+}
+
+std::vector<DetailGuide> layer_guides(const std::vector<glm::vec3>& points, const DiffusionSurfaces& swept,
+                                      const Template& fruit, const SkinDepth& skin, Threads threads) {
+  std::vector<DetailGuide> found(points.size());
+  const DiffusionSurfaces layers = layers_of(swept, fruit);
+  if (layers.triangle.empty() || points.empty()) return found;
+
+  // Diffused values lie between 0 and 1: normals halved, depths as shares of the deepest.
+  std::vector<glm::vec4> value;
+  for (const Color& normal : vertex_normals(layers)) value.emplace_back(0.5f * normal + 0.5f, 0.0f);
+  LayerDepths layer;
+  const std::vector<CutDetail> details = cut_details(fruit);
+  if (std::any_of(details.begin(), details.end(), runs_within_layers)) {
+    layer = layer_depths(layers, skin, threads);
+    for (std::size_t v = 0; v < value.size(); ++v) value[v].w = layer.share[v];
+  }
+  const std::vector<glm::vec4> diffused = diffused_values(layers, value, points, threads);
+  const std::vector<double> depth = depths_of(points, skin, threads);
+  for (std::size_t i = 0; i < diffused.size(); ++i) {
+    const glm::vec3 way = 2.0f * glm::vec3(diffused[i]) - 1.0f;
+    const float length = glm::length(way);
+    if (length > 1e-6f) found[i].to_skin = way / length * static_cast<float>(depth[i]);
+    found[i].layer = static_cast<float>(layer.deepest) * diffused[i].w;
+  }
+  return found;
 }
 
 CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads,
@@ -252,16 +283,13 @@ CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const 
   for (std::size_t v = 0; v < section.guide.size(); ++v)
     section.guide[v].share = detail_shares(fruit, DetailFace::cut, section.part[v], depth[places.of_vertex[v]]);
 
-  // Diffuses the direction where directed details count.
-  if (std::none_of(details.begin(), details.end(), runs_anywhere)) return section;
-  const bool with_layers = std::any_of(details.begin(), details.end(), runs_within_layers);
-  const std::vector<glm::vec4> run =
-      ways_and_layers(swept, fruit, skin, places, places_by_share(section, which(details, runs_anywhere), places),
-                      with_layers, threads);
+  // The ways and layers, where directed details count.
+  section.guide_lattice =
+      lattice_around(triangles_by_share(section, which(details, runs_anywhere)), swept, fruit, skin, threads);
+  if (section.guide_lattice == nullptr) return section;
   for (std::size_t v = 0; v < section.guide.size(); ++v) {
-    const std::uint32_t i = places.of_vertex[v];
-    section.guide[v].to_skin = glm::vec3(run[i]) * static_cast<float>(depth[i]);
-    section.guide[v].layer = run[i].w;
+    const std::optional<glm::vec4> at = section.guide_lattice->at(glm::dvec3(section.position[v]));
+    if (at) section.guide[v].to_skin = glm::vec3(*at), section.guide[v].layer = at->w;
   }
   return section;
 }

@@ -28,6 +28,7 @@ class SolidBuilder {
   Solid build(std::string name) {
     solid_.name = std::move(name);
     take_skin();
+    solid_.mesh.guide_lattice = section_.guide_lattice;
     for (const CutPiece::CapTriangle& cap : piece_.caps) add_cap(cap);
     drop_spare_room();
     return std::move(solid_);

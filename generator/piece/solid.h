@@ -21,6 +21,7 @@
 
 namespace pomona {
 
+class GuideLattice;
 class SectionColors;
 
 /// A triangle mesh that faces air. Vertices are split where colour or normal jumps; after welding equal positions it is
@@ -31,6 +32,10 @@ struct SolidMesh {
   std::vector<Color> color;        ///< colours, linear, before style
   std::vector<std::int32_t> part;  ///< index into FruitLook::part_names
   std::vector<DetailGuide> guide;  ///< empty if no detail needs it
+
+  /// The ways and layers of the guides at any place of cut faces; null if no detail needs them.
+  std::shared_ptr<const GuideLattice> guide_lattice = nullptr;
+
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> cut_face;  ///< per triangle: index of the cut face, -1 on skin and cavity walls
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink

@@ -185,6 +185,7 @@ class RoomLeft {
 /// Keeps enough to settle the solid and to name it in files: only the triangles of its mesh.
 Solid bare(Solid solid) {
   solid.mesh.normal = {}, solid.mesh.color = {}, solid.mesh.part = {}, solid.mesh.guide = {}, solid.mesh.surface = {};
+  solid.mesh.guide_lattice = nullptr;
   solid.section_colors = nullptr;
   return solid;
 }

@@ -23,6 +23,9 @@ class PlacedSolids {
   /// Per solid (shaders/detail.glsl); empty if no solid has guides.
   const GlTexture* detail_styles() const { return uploaded_.guides ? &uploaded_.guides->styles.texture() : nullptr; }
 
+  /// Their lattices (shaders/guide_lattice.glsl); likewise.
+  const GlTexture* guide_lattices() const { return uploaded_.guides ? &uploaded_.guides->lattices.texture() : nullptr; }
+
   /// Draws the hairs of all solids. Sets "placement".
   void draw_hairs(const Program& program) const;
   bool any_hairs() const;

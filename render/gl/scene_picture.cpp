@@ -51,10 +51,10 @@ struct Targets {
 
   glm::ivec2 samples;
   Surfaces opaque;
-  std::optional<GlTexture> glass;                     // all transparent layers
-  std::optional<GlTexture> guide_ways, guide_shares;  // guides of texture detail, if any
-  std::array<GlTexture, 2> light;                     // one per pixel: sky, light, distance
-  GlTexture paper;  // one per pixel: the far depth if it shows no piece, else the near one
+  std::optional<GlTexture> glass;         // all transparent layers
+  std::optional<GlTexture> guide_shares;  // of texture detail, if any
+  std::array<GlTexture, 2> light;         // one per pixel: sky, light, distance
+  GlTexture paper;                        // one per pixel: the far depth if it shows no piece, else the near one
   GlTexture shadow;
   GlTexture lowest;                          // the pieces on the table, seen from below
   std::optional<GlTexture> far_shadow;       // depths farthest from the light, if anything is translucent
@@ -164,12 +164,11 @@ void ScenePainter::cast_shadows(const GlTexture& map, int side, const glm::mat4&
 }
 
 void ScenePainter::draw_surfaces() {
-  // Clears to no colour, no id, and the far depth. Guides are drawn with the rest, because drawing all triangles again
-  // takes longer than storing guides of surfaces that are hidden later.
+  // Clears to no colour, no id, and the far depth. Shares of details are drawn with the rest, because drawing all
+  // triangles again takes longer than storing shares of surfaces that are hidden later.
   const Surfaces& surfaces = targets_.opaque;
   std::vector<const GlTexture*> colors{&surfaces.albedo, &surfaces.normal_line, &surfaces.ids};
   if (solids_.detail_styles()) {
-    colors.push_back(&targets_.guide_ways.emplace(gl_, GL_RGBA16F, targets_.samples.x, targets_.samples.y));
     colors.push_back(&targets_.guide_shares.emplace(gl_, GL_RGBA8, targets_.samples.x, targets_.samples.y));
   }
   const GlFramebuffer target(gl_, colors, &surfaces.depth);
@@ -180,9 +179,7 @@ void ScenePainter::draw_surfaces() {
   gl_->ClearBufferfv(GL_COLOR, 0, empty.data());
   gl_->ClearBufferfv(GL_COLOR, 1, empty.data());
   gl_->ClearBufferuiv(GL_COLOR, 2, no_id.data());
-  for (std::size_t guide = 3; guide < colors.size(); ++guide) {
-    gl_->ClearBufferfv(GL_COLOR, static_cast<GLint>(guide), empty.data());
-  }
+  if (targets_.guide_shares) gl_->ClearBufferfv(GL_COLOR, 3, empty.data());
   gl_->ClearBufferfv(GL_DEPTH, 0, &far);
 
   // Draws all opaque solids, then the ground.
@@ -412,7 +409,7 @@ void ScenePainter::compose(const char* definition, GLenum depth_test) {
   solids_.noise_styles().bind(7);
   if (details) {
     program.set("detail_styles", 13), details->bind(13);
-    program.set("guide_ways", 14), targets_.guide_ways->bind(14);
+    program.set("guide_lattices", 14), solids_.guide_lattices()->bind(14);
     program.set("guide_shares", 15), targets_.guide_shares->bind(15);
   }
   bind_materials(program);

@@ -4,6 +4,7 @@
 
 #include "generator/base/parallel.h"
 #include "render/gl/detail_texels.h"
+#include "render/gl/lattice_texels.h"
 #include "render/gl/scene_materials.h"
 #include "render/style/face_relief.h"
 #include "render/style/hairs.h"
@@ -125,21 +126,18 @@ std::vector<glm::vec4> pit_texels(const std::vector<std::vector<glm::vec4>>& gri
 std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const Scene& scene, const Style& style) {
   const auto guided = [](const Solid& solid) { return !solid.mesh.guide.empty(); };
   if (!style.noise || std::none_of(scene.solids.begin(), scene.solids.end(), guided)) return {};
-  std::vector<glm::vec4> way, share, styles;
+  std::vector<glm::vec4> share, styles;
   Look look;  // look of the previous solid, because pieces of one fruit have the same patterns
   for (const Solid& solid : scene.solids) {
-    for (std::size_t v = 0; v < solid.mesh.position.size(); ++v) {
-      const DetailGuide guide = solid.mesh.guide.empty() ? DetailGuide{} : solid.mesh.guide[v];
-      way.emplace_back(guide.to_skin, guide.layer);
-      share.push_back(guide.share);
-    }
+    for (std::size_t v = 0; v < solid.mesh.position.size(); ++v)
+      share.push_back(solid.mesh.guide.empty() ? glm::vec4(0) : solid.mesh.guide[v].share);
     look = Look(NoiseStyle{}, solid.look->details, &look);
     const std::vector<glm::vec4> texels = detail_texels(look);
     styles.insert(styles.end(), texels.begin(), texels.end());
   }
-  return UploadedSolids::Guides{.way = GlBuffer(gl, GL_ARRAY_BUFFER, way),
-                                .share = GlBuffer(gl, GL_ARRAY_BUFFER, share),
-                                .styles = GlTable(gl, GL_RGBA32F, styles, "details")};
+  return UploadedSolids::Guides{.share = GlBuffer(gl, GL_ARRAY_BUFFER, share),
+                                .styles = GlTable(gl, GL_RGBA32F, styles, "details"),
+                                .lattices = GlTable(gl, GL_RGBA32F, lattice_texels(scene.solids), "guides")};
 }
 
 }  // namespace
@@ -190,10 +188,7 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
   solids.solids.attach(2, 3, solids.color);
   solids.solids.attach(3, 1, solids.material);
   if (all.any_relief) solids.solids.attach(4, 4, solids.relief);  // else it is (0, 0, 0, 1): level, and far from rims
-  if (solids.guides) {
-    solids.solids.attach(5, 4, solids.guides->way);
-    solids.solids.attach(6, 4, solids.guides->share);
-  }
+  if (solids.guides) solids.solids.attach(5, 4, solids.guides->share);
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
   solids.hairs.attach(0, 3, solids.hair_position);
   solids.hairs.attach(1, 3, solids.hair_along);

@@ -32,8 +32,9 @@ struct UploadedSolids {
 
   /// Guides of texture detail, if any solid has them.
   struct Guides {
-    GlBuffer way, share;  ///< per vertex
-    GlTable styles;       ///< per solid (shaders/detail.glsl)
+    GlBuffer share;    ///< per vertex
+    GlTable styles;    ///< per solid (shaders/detail.glsl)
+    GlTable lattices;  ///< per solid, and the lattices themselves (shaders/guide_lattice.glsl)
   };
   std::optional<Guides> guides;
 };

@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/cut/section/cross_section.h"
 #include "generator/piece/guided.h"
 #include "generator/surface/skin_depth.h"
 
@@ -69,24 +68,17 @@ CoarseNodes nodes_in_use(const Asset& asset, const AssetGuide& guide) {
   return nodes;
 }
 
-/// Guides are computed where details count, by the parts of cut faces; a grid's nodes may have any part.
-Template counting_everywhere(Template fruit) {
-  for (DetailSketch& detail : fruit.details) {
-    detail.parts = {0};
-    detail.depth = Ramp<double>::constant(1);
-  }
-  return fruit;
-}
-
-/// Without directed details the ways are 0, but their lengths, the depths, are still needed.
-void keep_depths(const GrownFruit& grown, Threads threads, CrossSection& places) {
-  const auto is_way = [](const DetailGuide& at) { return at.to_skin != glm::vec3(0); };
-  if (std::any_of(places.guide.begin(), places.guide.end(), is_way)) return;
-  const std::vector<glm::dvec3> points(places.position.begin(), places.position.end());
+/// The guides of places. Without directed details the ways only need their lengths, the depths.
+std::vector<DetailGuide> guides_of(const std::vector<glm::vec3>& places, const GrownFruit& grown, const Template& fruit,
+                                   Threads threads) {
   const SkinDepth own = grown.skin ? SkinDepth({}) : SkinDepth(grown.swept);
-  const std::vector<double> depth =
-      (grown.skin ? *grown.skin : own).depths(points, std::numeric_limits<double>::infinity(), threads);
-  for (std::size_t i = 0; i < depth.size(); ++i) places.guide[i].to_skin.x = static_cast<float>(depth[i]);
+  const SkinDepth& skin = grown.skin ? *grown.skin : own;
+  if (has_directed_details(fruit)) return layer_guides(places, grown.swept, fruit, skin, threads);
+  const std::vector<glm::dvec3> points(places.begin(), places.end());
+  const std::vector<double> depth = skin.depths(points, std::numeric_limits<double>::infinity(), threads);
+  std::vector<DetailGuide> guides(places.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) guides[i].to_skin.x = static_cast<float>(depth[i]);
+  return guides;
 }
 
 }  // namespace
@@ -103,15 +95,11 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
   for (std::size_t axis = 0; axis < 3; ++axis)
     guide.count[axis] = (asset.count[axis] + guide.stride - 2) / guide.stride + 1;
   const CoarseNodes nodes = nodes_in_use(asset, guide);
-  CrossSection places;
-  places.position = nodes.place;
-  places.part.assign(nodes.place.size(), 0);
-  places = guided(std::move(places), grown.swept, counting_everywhere(fruit), threads, grown.skin.get());
-  keep_depths(grown, threads, places);
+  const std::vector<DetailGuide> guides = guides_of(nodes.place, grown, fruit, threads);
 
   // Rounds values in units of the largest.
   double largest = 1e-6;
-  for (const DetailGuide& at : places.guide) {
+  for (const DetailGuide& at : guides) {
     const glm::vec3 way = glm::abs(at.to_skin);
     largest = std::max<double>({largest, way.x, way.y, way.z, std::fabs(at.layer)});
     guide.deepest = std::max<double>(guide.deepest, glm::length(at.to_skin));
@@ -120,8 +108,8 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
   guide.value.assign(static_cast<std::size_t>(guide.count[0]) * static_cast<std::size_t>(guide.count[1]) *
                          static_cast<std::size_t>(guide.count[2]),
                      glm::i16vec4(0));
-  for (std::size_t i = 0; i < places.guide.size(); ++i) {
-    const DetailGuide& at = places.guide[i];
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    const DetailGuide& at = guides[i];
     const glm::dvec4 value(glm::dvec3(at.to_skin) * (nodes.inside[i] != 0 ? 1.0 : -1.0), at.layer);
     guide.value[nodes.index[i]] = glm::i16vec4(glm::floor(value / guide.unit + 0.5));
   }

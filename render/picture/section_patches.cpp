@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/cut/section/guide_lattice.h"
 #include "render/picture/paper.h"
 
 namespace pomona {
@@ -83,7 +84,8 @@ class PatchCutter {
   }
 
   glm::ivec3 color_at(const PatchCorner& corner, const PlacedFace& face) const {
-    const LookPlace place{.position = face.to_fruit(corner.at), .footprint = 1.0 / face.scale, .guide = corner.guide};
+    LookPlace place{.position = face.to_fruit(corner.at), .footprint = 1.0 / face.scale};
+    place.guide = guide_at(section_.guide_lattice.get(), place.position, corner.guide);
     const Color fresh = noise_ ? look_(corner.mean, place) : corner.mean;
     return to_srgb8(paper_.painted(fresh, static_cast<int>(corner.at.x), static_cast<int>(corner.at.y)));
   }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "generator/base/error.h"
+#include "generator/cut/section/guide_lattice.h"
 #include "render/marks/marks.h"
 #include "render/picture/marks_on_picture.h"
 #include "render/picture/paper.h"
@@ -125,9 +126,9 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
       if (pixel.samples > 0) {
         const PlacedFace& face = faces[pixel.face];
         const Color mean(pixel.color_sum / static_cast<double>(pixel.samples));
-        const LookPlace place{.position = face.to_fruit({x + 0.5, y + 0.5}),
-                              .footprint = 1.0 / face.scale,
-                              .guide = scaled(pixel.guide_sum, 1.0f / static_cast<float>(pixel.samples))};
+        LookPlace place{.position = face.to_fruit({x + 0.5, y + 0.5}), .footprint = 1.0 / face.scale};
+        place.guide = guide_at(section.guide_lattice.get(), place.position,
+                               scaled(pixel.guide_sum, 1.0f / static_cast<float>(pixel.samples)));
         const Color fresh = style.noise ? look(mean, place) : mean;
         const Color fruit = paper.painted(fresh, x, y);
         color += (fruit - color) * (static_cast<float>(pixel.samples) / section_samples);

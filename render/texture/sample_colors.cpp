@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/section/guide_lattice.h"
+
 namespace pomona {
 
 namespace {
@@ -76,6 +78,7 @@ LookPlace SampleColors::look_place(const TexelSample& sample) const {
   if (mesh_.guide.empty()) return seen;
   seen.guide = pomona::interpolated(mesh_.guide[v.x], mesh_.guide[v.y], mesh_.guide[v.z],
                                     static_cast<float>(sample.weight.y), static_cast<float>(sample.weight.z));
+  if (seen.face == DetailFace::cut) seen.guide = guide_at(mesh_.guide_lattice.get(), seen.position, seen.guide);
   return seen;
 }
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/gradient_noise.h"
+#include "generator/cut/section/guide_lattice.h"
 #include "render/style/pbr_roughness.h"
 #include "render/style/relief.h"
 #include "render/texture/maps.h"
@@ -105,6 +106,7 @@ LookPlace SampleMaps::look_place(const TexelSample& sample, const glm::dvec3& pl
   const glm::uvec3& v = solid_.mesh.triangle[sample.triangle];
   seen.guide = interpolated(solid_.mesh.guide[v.x], solid_.mesh.guide[v.y], solid_.mesh.guide[v.z],
                             static_cast<float>(sample.weight.y), static_cast<float>(sample.weight.z));
+  if (seen.face == DetailFace::cut) seen.guide = guide_at(solid_.mesh.guide_lattice.get(), place, seen.guide);
   return seen;
 }
 

@@ -46,6 +46,21 @@ TEST(DiffusedValues, AreWhatColoursWouldBeToTheBit) {
   }
 }
 
+/// As guides of two cuts are asked: in planes or out of them, with many others or few.
+TEST(DiffusedValues, DependOnTheirPointAlone) {
+  const DiffusionSurfaces fruit = shapes::seeded_fruit();
+  const std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(300);
+  const std::vector<glm::vec4> values = random_values(fruit.vertex_count());
+  const std::vector<glm::vec4> together = diffused_values(fruit, values, points);
+  for (const std::size_t step : {std::size_t{3}, std::size_t{60}, points.size() - 1}) {
+    std::vector<glm::vec3> some;
+    for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);
+    some.emplace_back(0.001f, 0.002f, 0.003f);
+    const std::vector<glm::vec4> apart = diffused_values(fruit, values, some);
+    for (std::size_t i = 0; i < points.size(); i += step) EXPECT_EQ(apart[i / step], together[i]) << step << " " << i;
+  }
+}
+
 TEST(DiffusedValues, DoNotDependOnThreads) {
   const DiffusionSurfaces fruit = shapes::seeded_fruit();
   const std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(100);

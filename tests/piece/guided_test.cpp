@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include "generator/cut/cut.h"
+#include "generator/cut/section/guide_lattice.h"
 #include "generator/knife/knife.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/solid.h"
@@ -133,30 +132,36 @@ TEST(Guided, surfaces_that_stay_out_turn_nothing_aside) {
   EXPECT_GT(max, 0.2f * float(radius)) << "it would have";
 }
 
-TEST(Guided, two_cuts_agree_where_they_share_a_place) {
+/// The places on the line where the planes z = 0 and y = 0 meet, which are no vertices.
+std::vector<glm::dvec3> places_on_the_common_line() {
+  std::vector<glm::dvec3> places;
+  for (int i = -97; i <= 97; ++i) places.emplace_back(radius * i / 100.0, 0, 0);
+  return places;
+}
+
+TEST(Guided, two_cuts_made_apart_agree_to_the_bit_where_they_meet) {
   const DiffusionSurfaces surfaces = ball();
-  std::map<std::tuple<float, float, float>, DetailGuide> known;
-  const CrossSection both = guided(section_of(surfaces, {"half", "across"}), surfaces, detailed_fruit());
-  const CrossSection one = guided(section_of(surfaces, {"half"}), surfaces, detailed_fruit());
-  const auto place = [](const glm::vec3& p) { return std::make_tuple(p.x, p.y, p.z); };
-  for (std::size_t v = 0; v < both.position.size(); ++v) {
-    const auto [entry, is_new] = known.try_emplace(place(both.position[v]), both.guide[v]);
-    // Two faces of one cut agree to the bit.
-    EXPECT_EQ(entry->second.to_skin, both.guide[v].to_skin);
-    EXPECT_EQ(entry->second.layer, both.guide[v].layer);
+  const CrossSection half = guided(section_of(surfaces, {"half"}), surfaces, detailed_fruit());
+  const CrossSection across = guided(section_of(surfaces, {"plane:0,1,0,0mm"}), surfaces, detailed_fruit(), {1});
+  const CrossSection both = guided(section_of(surfaces, {"half", "wedges:5"}), surfaces, detailed_fruit(), {3});
+  ASSERT_NE(half.guide_lattice, nullptr);
+  for (const glm::dvec3& place : places_on_the_common_line()) {
+    const auto in_half = half.guide_lattice->at(place), in_across = across.guide_lattice->at(place);
+    ASSERT_TRUE(in_half && in_across) << place.x;
+    EXPECT_EQ(*in_half, *in_across) << place.x;
+    EXPECT_EQ(*in_half, both.guide_lattice->at(place)) << place.x;
   }
-  int shared = 0;
-  for (std::size_t v = 0; v < one.position.size(); ++v) {
-    const auto found = known.find(place(one.position[v]));
-    if (found == known.end()) continue;
-    ++shared;
-    // Faces of different cuts agree within a millionth of the size, because sums differ if other places are diffused
-    // with them.
-    EXPECT_LT(glm::distance(found->second.to_skin, one.guide[v].to_skin), 1e-6f * float(radius));
-    EXPECT_NEAR(found->second.layer, one.guide[v].layer, 1e-6f * float(radius));
-    EXPECT_EQ(found->second.share, one.guide[v].share);
+}
+
+TEST(Guided, vertices_have_what_the_lattice_has_there) {
+  const DiffusionSurfaces surfaces = ball();
+  const CrossSection section = guided(section_of(surfaces, {"half", "across"}), surfaces, detailed_fruit());
+  for (std::size_t v = 0; v < section.position.size(); ++v) {
+    const auto at = section.guide_lattice->at(glm::dvec3(section.position[v]));
+    ASSERT_TRUE(at);
+    EXPECT_EQ(section.guide[v].to_skin, glm::vec3(*at));
+    EXPECT_EQ(section.guide[v].layer, at->w);
   }
-  EXPECT_GT(shared, 20);
 }
 
 /// The ball's section; only its middle is flesh.
@@ -208,6 +213,7 @@ TEST(Guided, goes_with_the_pieces) {
   const CrossSection section = guided(pieces.section, surfaces, detailed_fruit());
   for (const Solid& solid : solids(pieces.pieces, section, detailed_fruit(), "ball")) {
     ASSERT_EQ(solid.mesh.guide.size(), solid.mesh.position.size());
+    EXPECT_EQ(solid.mesh.guide_lattice, section.guide_lattice);
     for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
       const DetailGuide& guide = solid.mesh.guide[solid.mesh.triangle[t].x];
       EXPECT_EQ(guide.share[1], solid.mesh.cut_face[t] < 0 ? 0.0f : 0.5f);

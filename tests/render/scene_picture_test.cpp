@@ -10,7 +10,9 @@
 
 #include "generator/base/error.h"
 #include "generator/base/random.h"
+#include "generator/cut/section/guide_lattice.h"
 #include "render/gl/detail_texels.h"
+#include "render/gl/lattice_texels.h"
 #include "render/gl/objects.h"
 #include "render/gl/program.h"
 #include "render/gl/scene_upload.h"
@@ -24,7 +26,7 @@ namespace {
 
 /// The pixels [red, green, blue, alpha] of a picture that a fragment shader draws.
 std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragment, const NoiseStyle& noise, int width,
-                                  int height, const Look* details = nullptr) {
+                                  int height, const Look* details = nullptr, const GlTable* lattices = nullptr) {
   const GlTexture picture(gl, GL_RGBA8, width, height);
   const std::array<const GlTexture*, 1> colors{&picture};
   const GlFramebuffer target(gl, colors, nullptr);
@@ -39,6 +41,8 @@ std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragme
   styles.bind(0);
   program.set("detail_styles", 1);
   detail_styles.bind(1);
+  program.set("guide_lattices", 2);
+  if (lattices != nullptr) lattices->texture().bind(2);
   target.bind(width, height);
   nothing.bind();
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
@@ -211,6 +215,45 @@ void main() {
       EXPECT_LE(off, of_cells ? 8 : 0) << int(kind) << " " << int(run) << " worst " << worst;
     }
   }
+}
+
+/// Between nodes, at the rim of what is known, and beyond it.
+TEST(Shaders, GuidesAreThoseOfTheLattice) {
+  const Box<double> box{{-0.03, -0.02, -0.025}, {0.03, 0.04, 0.025}};
+  const LatticeFrame frame = lattice_frame(box);
+  const std::vector<std::array<glm::dvec3, 3>> triangles{
+      {{{-0.02, 0.0123, -0.019}, {0.014, 0.0123, -0.01}, {0, 0.0123, 0.014}}}};
+  const std::vector<glm::ivec3> nodes = nodes_around(frame, triangles);
+  std::vector<glm::vec4> value;
+  for (const glm::ivec3& n : nodes) value.emplace_back(frame.place_of(n), 0.01 + 0.003 * std::cos(n.x + 0.3 * n.z));
+  const auto lattice = std::make_shared<const GuideLattice>(frame, nodes, value);
+  std::vector<Solid> solids(3);
+  solids[1].mesh.guide_lattice = solids[2].mesh.guide_lattice = lattice;
+
+  GlContext context;
+  const CurrentGl gl(context);
+  const GlTable lattices(gl, GL_RGBA32F, lattice_texels(solids), "guides");
+  int known = 0, off = 0;
+  for (int solid = 0; solid < 3; ++solid) {
+    const std::vector<glm::u8vec4> pixels =
+        drawn_by(gl, "#include \"guide_lattice.glsl\"\nconst int solid = " + std::to_string(solid) + R"(;
+out vec4 color;
+void main() {
+  vec3 p = vec3(gl_FragCoord.x * 0.00061 - 0.0247, 0.0123, gl_FragCoord.y * 0.00053 - 0.0191);
+  vec4 at = way_layer_at(solid, p, true);
+  color = vec4(10.0 * at.xyz + 0.5, 50.0 * at.w);
+})",
+                 NoiseStyle{}, 64, 64, nullptr, &lattices);
+    for (int i = 0; i < 64 * 64; ++i) {
+      const std::optional<glm::vec4> found = solid == 0 ? std::nullopt : lattice->at(detail_place(i).place.position);
+      const glm::vec4 at = found.value_or(glm::vec4(0));
+      known += found ? 1 : 0;
+      const glm::vec4 expected = 255.0f * glm::vec4(10.0f * glm::vec3(at) + 0.5f, 50.0f * at.w);
+      for (int k = 0; k < 4; ++k) off += std::fabs(static_cast<float>(pixels[i][k]) - expected[k]) > 0.6f ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(off, 0);
+  EXPECT_GT(known, 1000);
 }
 
 TEST(Shaders, ReliefIsThatOfTheCpu) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "generator/cut/section/detail_guide.h"
 
 namespace pomona {
+
+class GuideLattice;
 
 /// The frame of one cut face. u, v, normal are orthonormal and right-handed; the normal points to the knife's positive
 /// side.
@@ -43,6 +46,9 @@ struct CrossSection {
   std::vector<std::uint8_t> interior;
   std::vector<std::int32_t> part;  ///< index into part_names
   std::vector<DetailGuide> guide;  ///< per vertex; empty if no detail needs it
+
+  /// The ways and layers of its guides at any place; null if no detail needs them (guide_lattice.h).
+  std::shared_ptr<const GuideLattice> guide_lattice;
 
   std::vector<glm::uvec3> triangle;  ///< counter-clockwise seen from the face's normal
   std::vector<std::int32_t> cut;     ///< index into faces

@@ -6,7 +6,8 @@
 
 namespace pomona {
 
-/// One per vertex; between vertices it is interpolated linearly, like colours.
+/// One per vertex. Between vertices it is interpolated linearly, like colours; the way and the layer of a cut face are
+/// rather asked of its GuideLattice (guide_lattice.h), which knows nothing of triangles.
 struct DetailGuide {
   glm::vec3 to_skin{0};  ///< from here, across the layers, to the skin, metres; 0 on skins
   float layer = 0;       ///< depth of the layer through this point, metres: constant along layers, 0 on skins

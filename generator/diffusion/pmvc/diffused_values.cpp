@@ -48,7 +48,8 @@ std::vector<glm::vec4> diffused_values(DiffusionSurfaces surfaces, std::span<con
   const SurfaceTree tree = make_surface_tree(surfaces);
   const SidesOfPoints sides = sides_on_surfaces(surfaces, tree, points, threads);
   const std::vector<PmvcValue> values = values_off_surfaces(sides, points, [&](std::span<const glm::vec3> off) {
-    return line_pmvc(surfaces, tree, off, {.lines = relaxed_draft_lines(), .more = {}}, threads, fourth);
+    return line_pmvc(surfaces, tree, off, {.lines = relaxed_draft_lines(), .more = {}, .follow_plane = false}, threads,
+                     fourth);
   });
 
   const SidesOfPoints known = sides_where_known(surfaces, tree, points, sides, values, threads);

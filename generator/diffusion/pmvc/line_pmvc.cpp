@@ -44,7 +44,7 @@ void add_difference(std::span<const glm::vec4> before, std::span<const glm::vec4
 }
 
 BlockSums swept(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points,
-                std::span<const Line> lines, bool wants_scatter) {
+                std::span<const Line> lines, bool wants_scatter, bool follow_plane) {
   BlockSums block;
   block.sums.color_and_weight.assign(points.size(), glm::vec4(0));
   block.sums.fourth.assign(surfaces.fourth.empty() ? 0 : points.size(), 0);
@@ -54,7 +54,7 @@ BlockSums swept(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::sp
     block.scatter.with_weight.assign(points.size(), glm::vec4(0));
   }
 
-  LineSweep sweep(surfaces, boxes, points);
+  LineSweep sweep(surfaces, boxes, points, follow_plane);
   std::vector<glm::vec4> before, middle;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (wants_scatter) (i % 2 == 0 ? before : middle) = block.sums.color_and_weight;
@@ -66,14 +66,15 @@ BlockSums swept(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::sp
 
 /// One set of sums for every block of lines.
 std::vector<BlockSums> sweep_blocks(const PackedSurfaces& surfaces, std::span<const glm::vec3> points,
-                                    std::span<const Line> lines, bool wants_scatter, Threads threads) {
+                                    std::span<const Line> lines, bool wants_scatter, bool follow_plane,
+                                    Threads threads) {
   if (points.empty()) return {};
   const GroupBoxes boxes = nearest_first(surfaces, points);
   std::vector<BlockSums> blocks(blocks_of(lines.size()));
   parallel_for(blocks.size(), threads, [&](std::size_t block) {
     const std::size_t first = block * lines_per_block;
     const std::size_t count = std::min(lines_per_block, lines.size() - first);
-    blocks[block] = swept(surfaces, boxes, points, lines.subspan(first, count), wants_scatter);
+    blocks[block] = swept(surfaces, boxes, points, lines.subspan(first, count), wants_scatter, follow_plane);
   });
   return blocks;
 }
@@ -147,7 +148,8 @@ std::vector<PmvcValue> batch_pmvc(const PackedSurfaces& surfaces, std::span<cons
   // All points.
   std::vector<std::size_t> place(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) place[i] = i;
-  const std::vector<BlockSums> blocks = sweep_blocks(surfaces, points, plan.lines, !plan.more.empty(), threads);
+  const std::vector<BlockSums> blocks =
+      sweep_blocks(surfaces, points, plan.lines, !plan.more.empty(), plan.follow_plane, threads);
   add_blocks(blocks, place, parts, plan.lines.size(), totals);
 
   // The points that need more lines.
@@ -160,7 +162,8 @@ std::vector<PmvcValue> batch_pmvc(const PackedSurfaces& surfaces, std::span<cons
       place.push_back(i);
       scattered.push_back(points[i]);
     }
-    add_blocks(sweep_blocks(surfaces, scattered, plan.more, false, threads), place, parts, plan.more.size(), totals);
+    add_blocks(sweep_blocks(surfaces, scattered, plan.more, false, plan.follow_plane, threads), place, parts,
+               plan.more.size(), totals);
   }
 
   std::vector<PmvcValue> values;

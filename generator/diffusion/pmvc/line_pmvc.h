@@ -23,6 +23,10 @@ struct LinePlan {
   /// The limit of the scatter of a channel, linear or in sRGB, whichever is more: the root of the summed squares of the
   /// differences within pairs.
   double max_scatter = std::numeric_limits<double>::infinity();
+
+  /// Whether points in one plane turn the lines' frames to it, which is faster: then values differ in their last bits
+  /// from those of the same points among others. Without, a value depends on its point alone.
+  bool follow_plane = true;
 };
 
 /// Positive mean values from two directions for every line, the same for all points. Lines are summed in fixed blocks

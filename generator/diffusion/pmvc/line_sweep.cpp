@@ -220,8 +220,12 @@ Line turned_towards(const Line& line, const glm::vec3& normal) {
 
 }  // namespace
 
-LineSweep::LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points)
-    : surfaces_(surfaces), boxes_(boxes), normal_(normal_of_plane(points)), state_(std::make_unique<SweepState>()) {
+LineSweep::LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points,
+                     bool follow_plane)
+    : surfaces_(surfaces),
+      boxes_(boxes),
+      normal_(follow_plane ? normal_of_plane(points) : std::nullopt),
+      state_(std::make_unique<SweepState>()) {
   SweepState& state = *state_;
   state.points = points.size();
   const std::size_t count = points.size() + SweepState::padding;

@@ -29,7 +29,9 @@ struct SweepSums {
 class LineSweep {
  public:
   /// `points` are normalised. `surfaces` and `boxes` must outlive this.
-  LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points);
+  /// \param follow_plane as in LinePlan.
+  LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points,
+            bool follow_plane);
   ~LineSweep();
 
   /// Casts the rays along `line` and adds their results to `sums`, which has an entry for every point.
@@ -38,7 +40,7 @@ class LineSweep {
  private:
   const PackedSurfaces& surfaces_;
   const GroupBoxes& boxes_;
-  std::optional<glm::vec3> normal_;  ///< normal of the plane of the points, if they have one
+  std::optional<glm::vec3> normal_;  ///< normal of the plane of the points, if they have one to follow
   std::unique_ptr<SweepState> state_;
 };
 

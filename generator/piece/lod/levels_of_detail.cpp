@@ -90,6 +90,7 @@ std::vector<Solid> levels_of_detail(const Solid& solid, const LodOptions& option
   // Makes solids again, with triangles in their original order.
   Solid bare = solid;
   bare.mesh = {};
+  bare.mesh.guide_lattice = solid.mesh.guide_lattice;
   std::size_t before = solid.mesh.triangle.size();
   for (Faces& faces : decimated(fans, solid.mesh, targets_of(solid, frozen.size(), options))) {
     faces.insert(faces.end(), frozen.begin(), frozen.end());
