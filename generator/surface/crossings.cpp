@@ -152,7 +152,7 @@ Box<float> without_upper_faces(Box<float> box) {
   return box;
 }
 
-/// Surfaces, by number.
+/// Surfaces, by number; all, if empty.
 using ChosenSurfaces = std::vector<std::uint8_t>;
 
 /// Looks for triangles that cross, tile by tile.
@@ -173,7 +173,7 @@ class CrossingSearch {
     around_.assign(tiles_.count(), {});
     for (std::uint32_t i = 0; i < tiles_.count(); ++i) {
       const std::span<const std::uint32_t> triangles = tiles_.triangles(i);
-      if (triangles.empty() || chosen[static_cast<std::size_t>(surfaces_.surface[triangles.front()])] == 0) continue;
+      if (triangles.empty() || !is_among(chosen, triangles.front())) continue;
       for (const std::uint32_t t : triangles) around_[i].add(box_[t]);
       tile.push_back(i), boxes.push_back(without_upper_faces(around_[i]));
     }
@@ -184,6 +184,10 @@ class CrossingSearch {
   }
 
  private:
+  bool is_among(const ChosenSurfaces& chosen, std::uint32_t triangle) const {
+    return chosen.empty() || chosen[static_cast<std::size_t>(surfaces_.surface[triangle])] != 0;
+  }
+
   /// False if found() was.
   template <typename Found>
   bool visit_pairs(std::uint32_t one, std::uint32_t other, const Found& found) {
@@ -260,8 +264,7 @@ std::set<CrossingKind> kinds_of(const DiffusionSurfaces& surfaces, const std::ve
 
 std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfaces) {
   std::vector<CrossingTriangles> found;
-  const ChosenSurfaces all(surfaces.surface_names.size(), 1);
-  CrossingSearch(surfaces).visit(all, [&](const CrossingTriangles& crossing) {
+  CrossingSearch(surfaces).visit({}, [&](const CrossingTriangles& crossing) {
     found.push_back(crossing);
     return true;
   });

@@ -24,7 +24,7 @@ std::set<CrossingKind> kinds_of(const DiffusionSurfaces& surfaces, const std::ve
 
 /// All pairs of triangles that cross properly (an edge of one goes through the inside of the other), sorted. The test
 /// is exact, for positions rounded to a 2^29th of the bounds' longest side. Touching, a shared edge, and an overlap in
-/// one plane do not count; triangles that are not finite are ignored.
+/// one plane do not count; triangles that are not finite are ignored. Places and triangles are enough.
 std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfaces);
 
 /// The kinds of all crossings: kinds_of(surfaces, crossing_triangles(surfaces)).

@@ -22,7 +22,8 @@ bool is_triangle(const glm::uvec3& t, std::uint32_t a, std::uint32_t b, std::uin
   return t.x == a && ((t.y == b && t.z == c) || (t.y == c && t.z == b));
 }
 
-/// The triangles behind `first` that could be one grid: of one surface, until one has no vertex seen before.
+/// The triangles behind `first` that could be one grid: of one surface, if surfaces have numbers, until one has no
+/// vertex seen before.
 struct TriangleRun {
   std::uint32_t end = 0;
   std::uint32_t first_vertex = 0, end_vertex = 0;
@@ -33,7 +34,7 @@ TriangleRun run_from(const DiffusionSurfaces& surfaces, std::uint32_t first) {
   TriangleRun run{first, std::min({v.x, v.y, v.z}), 0};
   for (; run.end < surfaces.triangle_count(); ++run.end) {
     const glm::uvec3& t = surfaces.triangle[run.end];
-    if (surfaces.surface[run.end] != surfaces.surface[first]) break;
+    if (!surfaces.surface.empty() && surfaces.surface[run.end] != surfaces.surface[first]) break;
     if (run.end > first && std::min({t.x, t.y, t.z}) >= run.end_vertex) break;
     run.end_vertex = std::max({run.end_vertex, t.x + 1, t.y + 1, t.z + 1});
   }

@@ -91,6 +91,12 @@ TEST(Crossings, OfPiecesOfOneSurfaceAndOfAPieceWithItself) {
   for (std::int32_t& surface : pair.surface) surface = 0;
   EXPECT_EQ(kinds_of(pair, crossing_triangles(pair)), (std::set<CrossingKind>{{0, 0, false}}));
 
+  // Places and triangles are enough, as a peel's offset has them while its creases are sought.
+  DiffusionSurfaces bare;
+  bare.position = pair.position;
+  bare.triangle = pair.triangle;
+  EXPECT_EQ(crossing_triangles(bare).size(), crossing_triangles(pair).size());
+
   // A torus so thick that it runs through itself.
   const DiffusionSurfaces torus = shapes::torus(0.2, 0.5, 25, 13);
   EXPECT_EQ(kinds_of(torus, crossing_triangles(torus)), (std::set<CrossingKind>{{0, 0, true}}));
