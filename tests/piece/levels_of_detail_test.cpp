@@ -102,8 +102,11 @@ struct RealPiece {
 };
 void PrintTo(const RealPiece& piece, std::ostream* out) { *out << piece.fruit << ' ' << piece.knife; }
 
-/// Hundreds of dark seeds are cut in bright flesh, and all their outlines may move within the bound.
-bool has_dark_outlines(const std::string& fruit) { return fruit == "dragon_fruit" || fruit == "passion_fruit"; }
+/// Hundreds of dark seeds are cut in bright flesh, or dark layers are a few millimetres apart, and all their outlines
+/// may move within the bound.
+bool has_dark_outlines(const std::string& fruit) {
+  return fruit == "dragon_fruit" || fruit == "passion_fruit" || fruit == "swiss_roll";
+}
 
 /// Hundreds of kernels or flat seeds, of several thin layers each: half of the triangles are in bodies so small that
 /// one more collapse would turn over what is left of them.

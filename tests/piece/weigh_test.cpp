@@ -95,7 +95,8 @@ TEST(Weighed, IsExactWherePartsAreAsDenseAsTheFruit) {
   }
 }
 
-/// If no place has a density that the template gives, the template is wrong.
+/// If no place has a density that the template gives, the template is wrong. Parts of placed fruit ("berry.skin") have
+/// the densities of their own template, which is looked at by itself.
 TEST(Weighed, PartsThatShippedTemplatesGiveADensityFillSomething) {
   for (const auto& entry : std::filesystem::directory_iterator(std::string(POMONA_SOURCE_DIR) + "/templates")) {
     if (entry.path().extension() != ".toml") continue;
@@ -107,7 +108,8 @@ TEST(Weighed, PartsThatShippedTemplatesGiveADensityFillSomething) {
       filled.insert(regions.part_names[static_cast<std::size_t>(region.part)]);
     EXPECT_FALSE(fruit.densities.empty()) << fruit.name;
     for (std::size_t p = 0; p < fruit.densities.size(); ++p)
-      EXPECT_TRUE(fruit.densities[p] == fruit.density || filled.contains(fruit.parts[p]))
+      EXPECT_TRUE(fruit.densities[p] == fruit.density || filled.contains(fruit.parts[p]) ||
+                  fruit.parts[p].find('.') != std::string::npos)
           << fruit.name << ": " << fruit.parts[p];
   }
 }
