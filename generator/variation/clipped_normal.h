@@ -7,9 +7,11 @@
 
 namespace pomona {
 
-/// The n-th normal number of the stream, clamped to two standard deviations, so that no individual is extreme.
+constexpr double max_clipped_normal = 2;  // standard deviations
+
+/// The n-th normal number of the stream, clamped, so that no individual is extreme.
 inline double clipped_normal(const RandomStream& random, std::uint64_t n) {
-  return std::clamp(random.normal(n), -2.0, 2.0);
+  return std::clamp(random.normal(n), -max_clipped_normal, max_clipped_normal);
 }
 
 }  // namespace pomona

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "generator/base/gradient_noise.h"
 #include "generator/base/parallel.h"
 #include "generator/base/reproducible.h"
+#include "generator/variation/clipped_normal.h"
 
 namespace pomona {
 
@@ -211,14 +213,36 @@ class Ripener {
     return names_one_of(part, shifts) ? shifts[static_cast<std::size_t>(part)] : ColorShift{};
   }
 
+  /// How much each part of a tissue ripens by itself. Not at all within what variants stray by themselves, where its
+  /// parts stay as unlike as drawn; wholly 0.15 farther. No move of the drawn colours is right there: it would be cut
+  /// short by the palest part, and green flesh would stay pink around a core that turns to cyan.
+  double share_alone() const {
+    constexpr double rounding = 1e-9;
+    const double strays = max_clipped_normal * fruit_.variation.color.ripeness + rounding;
+    return std::clamp((std::fabs(fruit_.individual.ripeness - 1) - strays) / 0.15, 0.0, 1.0);
+  }
+
+  /// \param own how the colour ripens before the tissue's move, or null
+  Color moved_with_tissue(const Color& color, const PartRipening* own, double lateness, std::int32_t leading,
+                          double ripeness_of_move) const {
+    const double ripeness = ripeness_at(own, lateness);
+    const Color ripe = ripeness != 1 ? in_gamut((*own)(to_oklab(color), ripeness)) : color;
+    return moved(ripe, move_of(leading, ripeness_of_move));
+  }
+
+  Color changed_with_tissue(const Color& color, std::int32_t part, double lateness) const {
+    const std::int32_t leading = leads_[static_cast<std::size_t>(part)];
+    const PartRipening* own = part == leading ? nullptr : ripening_of(part);
+    const Color together =
+        moved_with_tissue(color, own, lateness, leading, own ? 1 : ripeness_at(ripening_of(leading), lateness));
+    const double share = share_alone();
+    if (share == 0) return together;
+    const Color alone = moved_with_tissue(color, ripening_of(part), lateness, leading, 1);
+    return together + static_cast<float>(share) * (alone - together);
+  }
+
   Color changed(const Color& color, std::int32_t part, double lateness) const {
-    if (is_of_tissue(part)) {
-      const std::int32_t leading = leads_[static_cast<std::size_t>(part)];
-      const PartRipening* own = part == leading ? nullptr : ripening_of(part);
-      const double ripeness = ripeness_at(own, lateness);
-      const Color ripe = ripeness != 1 ? in_gamut((*own)(to_oklab(color), ripeness)) : color;
-      return moved(ripe, move_of(leading, own ? 1 : ripeness_at(ripening_of(leading), lateness)));
-    }
+    if (is_of_tissue(part)) return changed_with_tissue(color, part, lateness);
     const PartRipening* ripening = ripening_of(part);
     const double ripeness = ripeness_at(ripening, lateness);
     const ColorShift shift = shift_of(part);

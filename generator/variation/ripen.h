@@ -24,8 +24,8 @@ std::vector<glm::dvec3> tissue_colors(const DiffusionSurfaces& swept, const Diff
 /// the skin and its height; then the colour shift of its part is added. Channels stay within 0..1. Colours that do not
 /// change keep their bits; for an individual as drawn, these are all colours. All parts of a tissue move in sRGB by as
 /// much as the mean colour of its leading part does, so that they stay as unlike as drawn; one that follows ripens by
-/// itself only if the template says how. \param skin of the whole fruit. \param leads tissue_colors() of the whole
-/// fruit.
+/// itself only if the template says how. Farther from 1 than variants stray, each ripens by itself. \param skin of the
+/// whole fruit. \param leads tissue_colors() of the whole fruit.
 DiffusionSurfaces ripened(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin,
                           const std::vector<glm::dvec3>& leads, Threads threads = {});
 

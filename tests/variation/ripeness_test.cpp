@@ -253,6 +253,22 @@ TEST(Tissues, keep_their_bits_in_the_fruit_as_drawn) {
   EXPECT_EQ(same.back_color, surfaces.back_color);
 }
 
+TEST(Tissues, ripen_each_by_itself_farther_than_variants_stray) {
+  // Flesh turns green, and the pale stone, which does not ripen, stays as it is drawn.
+  const Color pale(0.9f, 0.75f, 0.6f);
+  DiffusionSurfaces surfaces = nested_fruit();
+  const std::size_t stone = vertices_of(surfaces, "stone").front();
+  for (const std::size_t v : vertices_of(surfaces, "stone")) surfaces.back_color[v] = pale;
+  Template fruit = ripening_fruit();
+  fruit.variation.color.ripeness = 0.1;
+  fruit.variation.color.tissues = {{1, 2}};
+  const DiffusionSurfaces unripe = ripened_to(0, fruit, surfaces);
+  EXPECT_LT(glm::distance(unripe.front_color[stone], green), 0.01f);
+  EXPECT_LT(glm::distance(unripe.back_color[stone], pale), 0.01f);
+  const DiffusionSurfaces half = ripened_to(0.5, fruit, surfaces);
+  EXPECT_LT(glm::distance(half.back_color[stone], pale), 0.01f);
+}
+
 TEST(Individuals, differ_as_far_as_declared_and_never_more_than_two_deviations) {
   Template fruit = ripening_fruit();
   fruit.variation.color = {.all = 0.01, .parts = {0.03, 0, 0}, .ripeness = 0.2};
