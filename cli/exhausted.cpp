@@ -2,12 +2,11 @@
 
 #include <new>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 
 namespace pomona {
 
-std::optional<std::string> exhausted(const std::exception& error) {
+std::optional<std::string_view> exhausted(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
   if (dynamic_cast<const std::length_error*>(&error) != nullptr) return "out of memory";
   const auto* refused = dynamic_cast<const std::system_error*>(&error);

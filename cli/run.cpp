@@ -8,6 +8,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -153,8 +154,13 @@ ExitStatus printed(ExitStatus status) {
   return status == ExitStatus::done ? ExitStatus::io_error : status;
 }
 
-ExitStatus tell_lack(const std::string& lack) {
-  print_error("error: " + lack + "\n  hint: a smaller --detail or --size needs less memory, --threads 1 one thread");
+/// Allocates nothing: there may be no memory for the words of a message, and end_uncaught() may not fail.
+ExitStatus tell_lack(std::string_view lack) {
+  const std::string_view error = colors_wanted() ? "\033[1;31merror:\033[0m " : "error: ";
+  for (const std::string_view part :
+       {error, lack,
+        std::string_view("\n  hint: a smaller --detail or --size needs less memory, --threads 1 one thread\n")})
+    std::fwrite(part.data(), 1, part.size(), stderr);
   return ExitStatus::out_of_memory;
 }
 

@@ -132,9 +132,9 @@ class Run {
         note({entry, numbers[done++]}, made);
       });
     } catch (const std::exception& failure) {
-      const std::optional<std::string> lack = exhausted(failure);
+      const std::optional<std::string_view> lack = exhausted(failure);
       if (!lack) throw;
-      note_lack(entry, numbers.subspan(done), *lack);
+      note_lack(entry, numbers.subspan(done), std::string(*lack));
     }
   }
 

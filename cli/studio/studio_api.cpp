@@ -154,7 +154,7 @@ WebReply StudioApi::answer(const WebRequest& request) {
     return json_reply(status_for(error), {{"errors", errors}});
   } catch (const std::exception& error) {
     if (const auto lack = exhausted(error))
-      return error_reply(500, *lack, "fewer triangles need less: lower around and along");
+      return error_reply(500, std::string(*lack), "fewer triangles need less: lower around and along");
     return error_reply(500, std::string("this is a bug in pomona: ") + error.what());
   }
 }

@@ -39,7 +39,7 @@ void translate(std::exception_ptr thrown) {
   } catch (const std::exception& error) {
     const auto lack = exhausted(error);
     if (!lack) throw;
-    PyErr_SetString(PyExc_MemoryError, lack->c_str());
+    PyErr_SetString(PyExc_MemoryError, std::string(*lack).c_str());
   }
 }
 

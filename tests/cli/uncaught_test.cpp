@@ -1,6 +1,9 @@
 // Exceptions of a command's other threads, which its own handlers do not catch.
+#include <sys/resource.h>
+
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <functional>
 #include <new>
 #include <stdexcept>
@@ -32,6 +35,28 @@ int run_thread(const std::function<void()>& body) {
 TEST(Uncaught, LackOfMemoryIsToldAsACommandsOwnIs) {
   EXPECT_EXIT(run_thread([] { throw std::bad_alloc(); }), ::testing::ExitedWithCode(71),
               "error: out of memory\n  hint");
+}
+
+/// Takes all memory that the process may still have.
+void take_all_memory() {
+  static void* volatile taken = nullptr;
+  constexpr rlimit none{1, 1};
+  setrlimit(RLIMIT_AS, &none);
+  for (std::size_t size = std::size_t{1} << 24; size >= 8; size /= 2) {
+    do taken = std::malloc(size);
+    while (taken != nullptr);
+  }
+}
+
+TEST(Uncaught, LackOfMemoryIsToldWithoutAnyMemory) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer needs memory of its own";
+#endif
+  const auto body = [] {
+    take_all_memory();
+    throw std::bad_alloc();
+  };
+  EXPECT_EXIT(run_thread(body), ::testing::ExitedWithCode(71), "error: out of memory\n  hint");
 }
 
 TEST(Uncaught, AnythingElseIsABug) {
