@@ -55,7 +55,7 @@ void sweep(benchmark::State& state) {
   SweepSums sums;
   sums.color_and_weight.assign(scene.normalized.size(), glm::vec4(0));
   sums.part_weight.assign(scene.normalized.size() * scene.packed.used_parts.size(), 0);
-  LineSweep sweeping(scene.packed, boxes, scene.normalized);
+  LineSweep sweeping(scene.packed, boxes, scene.normalized, true);
   std::size_t i = 0;
   for (auto _ : state) sweeping.add(lines[i++ % lines.size()], sums);
 
