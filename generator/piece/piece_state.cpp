@@ -12,8 +12,6 @@ namespace {
 
 std::string_view kind_of(std::string_view knife) { return knife.substr(0, knife.find(':')); }
 
-bool is_peeler(std::string_view knife) { return kind_of(knife) == "peel"; }
-
 /// The state that one knife alone gives.
 CutState state_of_kind(std::string_view kind) {
   constexpr std::array<std::pair<std::string_view, CutState>, 7> states{{{"half", CutState::half},
@@ -42,6 +40,8 @@ double skin_share(const Solid& solid) {
 }
 
 }  // namespace
+
+bool is_peeler(std::string_view knife) { return kind_of(knife) == "peel"; }
 
 std::string_view name_of(CutState state) {
   constexpr std::array<std::string_view, 9> names{"whole", "half",  "quarter", "wedge", "slice",

@@ -26,6 +26,9 @@ enum class CutState : std::uint8_t {
 /// "wedge"
 std::string_view name_of(CutState state);
 
+/// Whether this knife, as the user wrote it, is a peeler.
+bool is_peeler(std::string_view knife);
+
 /// The state that knives give, as the user wrote them: the last one that is no peeler decides, but for `half` and
 /// `across`, two of which make quarters. None leave the fruit whole.
 CutState state_by(std::span<const std::string> knives);

@@ -11,6 +11,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/mesh/box.h"
+#include "generator/piece/piece_state.h"
 #include "generator/scene/hanging_peel.h"
 #include "generator/scene/settle/drop.h"
 #include "generator/scene/table_pose.h"
@@ -175,8 +176,7 @@ std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, do
 /// Other pieces may wind about the axis, too: leaves of a cabbage do.
 bool may_be_peel(const Solid& solid) {
   const std::vector<std::string>& knives = solid.origin.knives;
-  return knives.empty() ||
-         std::any_of(knives.begin(), knives.end(), [](const std::string& knife) { return knife.starts_with("peel"); });
+  return knives.empty() || std::any_of(knives.begin(), knives.end(), is_peeler);
 }
 
 /// Hangs up strips of peel.

@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "generator/base/small_ending.h"
 #include "generator/text/svg_shapes.h"
 
 namespace pomona {
@@ -41,14 +42,6 @@ void for_each_part(std::string_view text, std::string_view separators, const Use
   }
 }
 
-std::string in_small_letters(std::string_view text) {
-  std::string small(text);
-  for (char& c : small) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return small;
-}
-
 bool moves(std::string_view property) {
   constexpr std::string_view names[] = {"transform", "transform-origin", "transform-box", "translate", "rotate",
                                         "scale",     "offset-path"};
@@ -74,8 +67,8 @@ std::vector<std::string> geometry_properties(std::string_view declarations) {
   for_each_part(declarations, ";", [&](std::string_view declaration) {
     const std::size_t colon = declaration.find(':');
     if (colon == std::string_view::npos) return;
-    const std::string property = in_small_letters(without_blanks(declaration.substr(0, colon)));
-    const std::string value = in_small_letters(without_blanks(declaration.substr(colon + 1)));
+    const std::string property = in_small_letters(std::string(without_blanks(declaration.substr(0, colon))));
+    const std::string value = in_small_letters(std::string(without_blanks(declaration.substr(colon + 1))));
     if (value != "none" && value != "auto" && is_of_geometry(property)) found.push_back(property);
   });
   return found;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "generator/base/clipped_normal.h"
 #include "generator/base/error.h"
-#include "generator/variation/clipped_normal.h"
 
 namespace pomona {
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "generator/base/clipped_normal.h"
 #include "generator/base/gradient_noise.h"
 #include "generator/base/parallel.h"
 #include "generator/base/reproducible.h"
-#include "generator/variation/clipped_normal.h"
 
 namespace pomona {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/base/clipped_normal.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/template/bend_strain.h"
-#include "generator/variation/clipped_normal.h"
 #include "generator/variation/scaled.h"
 
 namespace pomona {

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/clipped_normal.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/surface/sweep/sheet_shells.h"
@@ -158,7 +159,7 @@ struct LeafChance {
 
 LeafChance leaf_chance(const SheetSketch& sketch, const RandomStream& random, int k) {
   const auto n = static_cast<std::uint64_t>(k);
-  const auto normal = [&](std::uint64_t draw) { return std::clamp(random.normal(4 * n + draw), -2.0, 2.0); };
+  const auto normal = [&](std::uint64_t draw) { return clipped_normal(random, 4 * n + draw); };
   LeafChance leaf;
   leaf.age = sketch.count > 1 ? k / (sketch.count - 1.0) : 0;
   const double azimuth = sketch.divergence * k + sketch.turn_jitter * normal(0);

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/clipped_normal.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/surface/sweep/section_loop.h"
@@ -87,7 +88,7 @@ class Stack {
 
   LayerChance chance_of(int layer) const {
     const auto normal = [&](std::uint64_t draw) {
-      return std::clamp(random_.normal(4 * static_cast<std::uint64_t>(layer) + draw), -2.0, 2.0);
+      return clipped_normal(random_, 4 * static_cast<std::uint64_t>(layer) + draw);
     };
     return {sketch_.divergence * layer + sketch_.turn_jitter * normal(0), 1 + sketch_.outline_jitter * normal(1),
             sketch_.stray * glm::dvec2(normal(2), normal(3))};
