@@ -22,6 +22,7 @@
 #include "generator/knife/parse_knife.h"
 #include "generator/mesh/disjoint_sets.h"
 #include "generator/mesh/weld.h"
+#include "generator/surface/bodies.h"
 #include "render/export/output.h"
 #include "tests/cut/cut_oracle.h"
 #include "tests/cut/turned_blocks.h"
@@ -45,6 +46,23 @@ constexpr double max_area_error = 1e-9, max_volume_error = 1e-6, max_curved_volu
 
 /// The number of cuts between two saves of the figures.
 constexpr int chunk = 250;
+
+/// The triangles that stay, with all vertices.
+DiffusionSurfaces with_only(const DiffusionSurfaces& fruit, const std::function<bool(std::size_t triangle)>& stays) {
+  DiffusionSurfaces kept = fruit;
+  std::size_t to = 0;
+  for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
+    if (!stays(t)) continue;
+    kept.triangle[to] = fruit.triangle[t];
+    kept.surface[to] = fruit.surface[t];
+    kept.front_part[to] = fruit.front_part[t];
+    kept.back_part[to++] = fruit.back_part[t];
+  }
+  kept.triangle.resize(to);
+  for (auto* indices : {&kept.surface, &kept.front_part, &kept.back_part}) indices->resize(to);
+  kept.instance.clear();  // cuts do not ask for it
+  return kept;
+}
 
 /// Removes small parts (grains) until about `triangles` are left, if possible: all large parts stay, and every n-th
 /// small one.
@@ -79,18 +97,19 @@ DiffusionSurfaces thinned(const DiffusionSurfaces& fruit, int triangles) {
     stays[part] = due >= 1;
     if (due >= 1) due -= 1;
   }
-  DiffusionSurfaces kept = fruit;
-  std::size_t to = 0;
-  for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
-    if (!stays[parts.root(welded[fruit.triangle[t].x])]) continue;
-    kept.triangle[to] = fruit.triangle[t];
-    kept.surface[to] = fruit.surface[t];
-    kept.front_part[to] = fruit.front_part[t];
-    kept.back_part[to++] = fruit.back_part[t];
-  }
-  for (auto* indices : {&kept.surface, &kept.front_part, &kept.back_part}) indices->resize(to);
-  kept.triangle.resize(to);
-  return kept;
+  return with_only(fruit, [&](std::size_t t) { return stays[parts.root(welded[fruit.triangle[t].x])]; });
+}
+
+/// Without cavities that no skin holds: where the skin is this coarse, a few bubbles of a bread lie outside. They bound
+/// nothing solid, but their walls would count in the piece that they touch.
+DiffusionSurfaces without_lone_walls(const DiffusionSurfaces& fruit) {
+  const Bodies bodies = find_bodies(fruit);
+  return with_only(fruit, [&](std::size_t t) {
+    const std::int32_t body = bodies.of_triangle[t];
+    if (body == Bodies::none) return true;
+    const Bodies::Body& of = bodies.bodies[static_cast<std::size_t>(body)];
+    return !of.closed || of.volume > 0;
+  });
 }
 
 /// Alternates between a whole peel and one in a strip.
@@ -235,7 +254,8 @@ int make_report(const Options& options) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& name = names[i];
     const double detail = detail_for(name, options.triangles);
-    const DiffusionSurfaces fruit = thinned(grow_fruit(name, detail).grown.sheets, options.triangles);
+    const DiffusionSurfaces fruit =
+        without_lone_walls(thinned(grow_fruit(name, detail).grown.sheets, options.triangles));
     const oracle::CutOracle oracle(fruit);
     for (const auto& [kind, all] : {std::pair("degenerate", options.degenerate), std::pair("pairs", options.pairs),
                                     std::pair("strokes", options.strokes), std::pair("solids", options.solids),

@@ -295,14 +295,14 @@ class Splitter {
   /// segments.h). So chains close whatever the sides, as long as these change at such edges only.
   void see_sides_of_stroke(const CutPlanes::Blade& blade) {
     const StrokeSides stroke(mesh_, planes_, blade, surfaces_);
-    const std::vector<int> side = stroke.of_triangles();
+    const std::vector<int> side = stroke.of_triangles([&](std::size_t index) {
+      const Triangle& t = mesh_.triangle[index];
+      plane_ = stroke.facet_nearest_to(mesh_.point_of[t.vertex[0]]);
+      return lies_with_positive_side(t);
+    });
     for (std::size_t index = 0; index < side.size(); ++index) {
       Triangle& t = mesh_.triangle[index];
-      bool positive = side[index] > 0;
-      if (side[index] == 0) {
-        plane_ = stroke.facet_nearest_to(mesh_.point_of[t.vertex[0]]);
-        positive = lies_with_positive_side(t);
-      }
+      const bool positive = side[index] > 0;
       const CutPlanes::Plane& first = planes_[blade.first];
       t.sides = planes_.knives[static_cast<std::size_t>(first.knife)].seen(t.sides, first.in_knife, positive);
       if (!positive) cut_along_stroke(stroke, t);

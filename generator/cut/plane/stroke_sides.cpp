@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -19,7 +22,7 @@ StrokeSides::StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const C
   for (const glm::dvec3& p : mesh.point) near_.push_back(blade_.stroke->nearest(glm::dvec2(p)));
 }
 
-std::vector<int> StrokeSides::of_triangles() const {
+std::vector<int> StrokeSides::of_triangles(const std::function<bool(std::size_t)>& is_positive) const {
   // Each triangle's farthest point tells its side.
   std::vector<int> side;
   for (const Triangle& t : mesh_.triangle) {
@@ -27,19 +30,29 @@ std::vector<int> StrokeSides::of_triangles() const {
     side.push_back(std::fabs(farthest) <= planes_.tolerance ? 0 : farthest > 0 ? 1 : -1);
   }
 
-  // Triangles on the stroke that cut off a corner of it take their neighbours' side, until nothing changes.
-  const TrianglesAtEdge across = triangles_across(side);
-  const std::vector<EdgeKey> edges = across.edges();
-  for (bool changed = !edges.empty(); changed;) {
-    changed = false;
-    for (const EdgeKey& edge : edges) changed = take_side(across.at(edge), side) || changed;
+  // The first of connected triangles that all lie on the stroke decides for the others, or the chain of their edges
+  // would stay open where their sides differ.
+  const TrianglesByEdge across = triangles_across(side);
+  spread(across, side);
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (side[t] != 0) continue;
+    side[t] = is_positive(t) ? 1 : -1;
+    spread(across, side);
   }
   return side;
 }
 
-/// The triangles at each edge that follows no facet and belongs to a triangle without a side.
-StrokeSides::TrianglesAtEdge StrokeSides::triangles_across(const std::vector<int>& side) const {
-  TrianglesAtEdge across;
+/// Triangles on the stroke that cut off a corner of it take their neighbours' side, until nothing changes.
+void StrokeSides::spread(const TrianglesByEdge& across, std::vector<int>& side) const {
+  for (bool changed = !across.empty(); changed;) {
+    changed = false;
+    for (const std::vector<std::size_t>& triangles : across) changed = take_side(triangles, side) || changed;
+  }
+}
+
+/// The triangles at each edge that follows no facet and belongs to a triangle without a side, edge after edge.
+StrokeSides::TrianglesByEdge StrokeSides::triangles_across(const std::vector<int>& side) const {
+  EdgeMap<std::vector<std::size_t>> across;
   const auto for_each_edge = [&](std::size_t t, const auto& visit) {
     const std::array<std::uint32_t, 3>& v = mesh_.triangle[t].vertex;
     for (std::size_t i = 0; i < 3; ++i) visit(mesh_.point_of[v[i]], mesh_.point_of[v[next[i]]]);
@@ -50,13 +63,15 @@ StrokeSides::TrianglesAtEdge StrokeSides::triangles_across(const std::vector<int
       if (facet_with(p, q) < 0) across[{p, q}];
     });
   }
-  if (across.empty()) return across;
+  if (across.empty()) return {};
   for (std::size_t t = 0; t < side.size(); ++t) {
     for_each_edge(t, [&](std::uint32_t p, std::uint32_t q) {
       if (across.contains({p, q})) across[{p, q}].push_back(t);
     });
   }
-  return across;
+  TrianglesByEdge all;
+  for (const EdgeKey& edge : across.edges()) all.push_back(std::move(across.at(edge)));
+  return all;
 }
 
 /// Gives triangles at one edge without a side the side of another triangle of their surface there.

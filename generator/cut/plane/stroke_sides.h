@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "generator/cut/section/split_mesh.h"
-#include "generator/mesh/edge_map.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
@@ -17,10 +17,10 @@ class StrokeSides {
   StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Blade& stroke,
               const DiffusionSurfaces& surfaces);
 
-  /// Per triangle: 1, -1, or 0 if it lies on the stroke. If all corners of a triangle lie on the stroke within the
-  /// tolerance, but one of its edges lies along no facet, then it cuts off a corner of the stroke; it gets the side of
-  /// its neighbour across that edge.
-  std::vector<int> of_triangles() const;
+  /// Per triangle: 1 or -1. If all corners of a triangle lie on the stroke within the tolerance, but one of its edges
+  /// lies along no facet, then it cuts off a corner of the stroke; it gets the side of its neighbour across that edge.
+  /// \param is_positive decides for a triangle that lies on the stroke and has no such neighbour.
+  std::vector<int> of_triangles(const std::function<bool(std::size_t triangle)>& is_positive) const;
 
   /// The first facet that both points lie on, as a plane; or -1.
   int facet_with(std::uint32_t p, std::uint32_t q) const;
@@ -30,9 +30,10 @@ class StrokeSides {
 
  private:
   using Triangle = SplitMesh::Triangle;
-  using TrianglesAtEdge = EdgeMap<std::vector<std::size_t>>;
+  using TrianglesByEdge = std::vector<std::vector<std::size_t>>;
 
-  TrianglesAtEdge triangles_across(const std::vector<int>& side) const;
+  TrianglesByEdge triangles_across(const std::vector<int>& side) const;
+  void spread(const TrianglesByEdge& across, std::vector<int>& side) const;
   bool take_side(const std::vector<std::size_t>& triangles, std::vector<int>& side) const;
   double farthest_from(const Triangle& t) const;
   bool is_on_facet(int plane, std::uint32_t point) const;
