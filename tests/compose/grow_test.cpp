@@ -31,6 +31,19 @@ TEST(Grow, EveryVariantHasAPatternOfItsOwn) {
   EXPECT_EQ(patterns.size(), 4u);
 }
 
+/// `--detail` takes no less, and a coarse fruit is no reason to refuse a template: a cabbage of coarse leaves was.
+TEST(Grow, EveryShippedTemplateGrowsAtTheSmallestDetail) {
+  int grown = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(POMONA_SOURCE_DIR) / "templates")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_GT(grow(read_template(entry.path()), {113, 0}, {.detail = 0.1}).sheets.triangle_count(), 20u)
+        << entry.path().stem();
+    ++grown;
+  }
+  EXPECT_GT(grown, 50);
+}
+
 TEST(Grow, SpotsThatStandOutGoWithTheVariant) {
   Template fruit = shipped("avocado");
   EXPECT_TRUE(grow(fruit, {1, 0}).raised.empty());

@@ -20,6 +20,7 @@ namespace {
 constexpr int cells = 193;            // of the ground to either side
 constexpr double ground_span = 1.12;  // half the width of the ground's grid
 constexpr int smoothing = 2;          // radius of the envelope's boxes, cells
+constexpr int fewest = 8;             // vertices along an edge: leaves of longer facets find no room in each other
 constexpr int table_steps = 400;      // of ramps and curves
 constexpr double table_end = 2;       // the last place of a ramp
 
@@ -180,8 +181,8 @@ class LeafPile {
         outline_(sketch.outline),
         thickness_(sketch.thickness),
         rib_(sketch.rib.height),
-        around_(refined(sketch.around, options.detail, 3)),
-        along_(refined(sketch.along, options.detail, 3)) {
+        around_(refined(sketch.around, options.detail, fewest)),
+        along_(refined(sketch.along, options.detail, fewest)) {
     double wide = 0, far = 0;
     for (const auto& stop : sketch.outline.stops) wide = std::max(wide, stop.value);
     for (const auto& stop : sketch.reach.stops) far = std::max(far, stop.value);
