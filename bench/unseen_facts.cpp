@@ -10,7 +10,7 @@
 #include "generator/cut/section/section_crumbs.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/connected_vertices.h"
 #include "generator/mesh/enclosures.h"
 #include "generator/mesh/weld.h"
 
@@ -75,19 +75,9 @@ FaceFacts face_facts(const GrownFruit& grown, const char* knife, const Diffuser&
   return facts;
 }
 
-/// Connected parts of surfaces, by vertex.
-DisjointSets components_of(const DiffusionSurfaces& surfaces) {
-  DisjointSets joined(surfaces.vertex_count());
-  for (const glm::uvec3& t : surfaces.triangle) {
-    joined.join(t.x, t.y);
-    joined.join(t.y, t.z);
-  }
-  return joined;
-}
-
 /// The walls of chambers: surfaces in folds between different parts, each loop a mesh.
 Enclosures membranes_of(const DiffusionSurfaces& swept, const Template& fruit) {
-  DisjointSets joined = components_of(swept);
+  DisjointSets joined = connected_vertices(swept.vertex_count(), swept.triangle);
   std::vector<Enclosures::Triangle> triangles;
   for (std::size_t i = 0; i < swept.triangle_count(); ++i) {
     const glm::uvec3& t = swept.triangle[i];
@@ -109,7 +99,7 @@ struct Grain {
 };
 
 std::vector<Grain> grains_of(const DiffusionSurfaces& grains) {
-  DisjointSets joined = components_of(grains);
+  DisjointSets joined = connected_vertices(grains.vertex_count(), grains.triangle);
   std::map<std::uint32_t, Grain> found;
   for (std::uint32_t v = 0; v < grains.vertex_count(); ++v) found[joined.root(v)].vertices.push_back(v);
   for (std::size_t i = 0; i < grains.triangle_count(); ++i)

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/mesh/box.h"
-#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/connected_vertices.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/weld.h"
 #include "generator/surface/bodies.h"
@@ -21,16 +21,6 @@ bool is_seed(const std::string& part) {
     if (part.find(word) != std::string::npos) return true;
   }
   return false;
-}
-
-/// The connected sets of vertices.
-DisjointSets grains_of(const DiffusionSurfaces& grains) {
-  DisjointSets sets(grains.vertex_count());
-  for (const glm::uvec3& corners : grains.triangle) {
-    sets.join(corners.x, corners.y);
-    sets.join(corners.x, corners.z);
-  }
-  return sets;
 }
 
 /// The connected set of the longest seed, if any.
@@ -55,7 +45,7 @@ std::optional<std::uint32_t> longest_seed(const DiffusionSurfaces& grains, Disjo
 
 std::optional<Solid> one_grain(const GrownFruit& fruit, const Template& variant, const std::string& name) {
   const DiffusionSurfaces& grains = fruit.grains;
-  DisjointSets sets = grains_of(grains);
+  DisjointSets sets = connected_vertices(grains.vertex_count(), grains.triangle);
   const std::optional<std::uint32_t> wanted = longest_seed(grains, sets);
   if (!wanted) return std::nullopt;
 

@@ -11,7 +11,7 @@
 #include <glm/ext/vector_int3_sized.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/connected_vertices.h"
 #include "generator/mesh/overlapping_boxes.h"
 #include "generator/surface/surface_tiles.h"
 
@@ -128,16 +128,6 @@ bool share_an_edge(const glm::uvec3& a, const glm::uvec3& b) {
   return common > 1;
 }
 
-/// Connected triangles.
-DisjointSets pieces_of(const DiffusionSurfaces& surfaces) {
-  DisjointSets pieces(surfaces.vertex_count());
-  for (const glm::uvec3& v : surfaces.triangle) {
-    pieces.join(v.x, v.y);
-    pieces.join(v.x, v.z);
-  }
-  return pieces;
-}
-
 /// Whether boxes have more in common than faces. Triangles in boxes that only touch cannot cross properly, however
 /// their corners are rounded to the grid: rounding keeps the order. Rings of a straight fruit lie at one height, so
 /// half of all boxes that meet only touch.
@@ -224,7 +214,7 @@ class CrossingSearch {
 
   /// Connected parts matter only once something crosses.
   CrossingTriangles crossing(std::uint32_t first, std::uint32_t second) {
-    if (!pieces_) pieces_ = pieces_of(surfaces_);
+    if (!pieces_) pieces_ = connected_vertices(surfaces_.vertex_count(), surfaces_.triangle);
     const std::uint32_t a = surfaces_.triangle[first].x, b = surfaces_.triangle[second].x;
     return {first, second, pieces_->root(a) == pieces_->root(b)};
   }

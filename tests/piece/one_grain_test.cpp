@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/connected_vertices.h"
 #include "generator/piece/smoothed.h"
 #include "generator/template/read/read_template.h"
 
@@ -50,8 +50,7 @@ TEST(OneGrain, IsOneClosedSeedOfItsFruit) {
     ASSERT_TRUE(seed) << name;
     EXPECT_TRUE(is_closed(*seed)) << name;
     EXPECT_GT(six_volumes(*seed), 0) << name;
-    DisjointSets sets(seed->mesh.position.size());
-    for (const glm::uvec3& t : seed->mesh.triangle) sets.join(t.x, t.y), sets.join(t.x, t.z);
+    DisjointSets sets = connected_vertices(seed->mesh.position.size(), seed->mesh.triangle);
     for (std::uint32_t v = 0; v < seed->mesh.position.size(); ++v) EXPECT_EQ(sets.root(v), 0u) << name;
     for (const std::int32_t part : seed->mesh.part)
       EXPECT_EQ(seed->look->part_names[static_cast<std::size_t>(part)], "seed") << name;

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/connected_vertices.h"
 
 namespace pomona {
 
@@ -121,11 +121,7 @@ std::size_t brick_index(const Node& at, const Node& count) {
 
 std::vector<SmallBody> small_bodies(const DiffusionSurfaces& surfaces, double longest) {
   // Find what is connected, and how long it is.
-  DisjointSets connected(surfaces.vertex_count());
-  for (const glm::uvec3& t : surfaces.triangle) {
-    connected.join(t.x, t.y);
-    connected.join(t.x, t.z);
-  }
+  DisjointSets connected = connected_vertices(surfaces.vertex_count(), surfaces.triangle);
   std::vector<glm::vec3> low(surfaces.position), high(surfaces.position);
   for (std::uint32_t v = 0; v < surfaces.vertex_count(); ++v) {
     const std::uint32_t root = connected.root(v);
