@@ -36,7 +36,7 @@ python: ## the Python module, as a wheel in build/python; docs/guides/python.md
 
 test-python: python ## the module's tests, on the wheel as it is installed; FULL=1 compares the bytes of every fruit, format and knife, too
 	@scripts/setup.sh test-python
-	ctest --test-dir build --output-on-failure
+	ctest --test-dir build --output-on-failure -j $(JOBS)
 	$(if $(FULL),cmake --build build --target python_bytes_full)
 
 blender-addon: build ## the add-on for Blender as a .zip in build/blender; docs/guides/blender.md
@@ -49,15 +49,17 @@ test-blender: blender-addon python ## the add-on tried by Blender, on what is in
 	tests/blender/addon_test.py $(BLENDER_PREFIX)/bin/pomona build/blender out/test_blender --module $(BLENDER_PREFIX)/lib/python3*/*-packages --window
 
 # Other programs, and what runs in node or in a browser.
+# Not again while nothing else is asked for: it takes away what is there, and half a minute.
 .npm:
 	@scripts/setup.sh npm
-	npm ci --no-audit --no-fund --loglevel=error
+	@[ node_modules/.package-lock.json -nt package-lock.json ] && [ node_modules/.package-lock.json -nt package.json ] || \
+		npm ci --no-audit --no-fund --loglevel=error
 
 test-programs: .npm ## tests that start real programs: the glTF validator, POV-Ray, Inkscape
 	@scripts/setup.sh build test programs
 	cmake --preset test-programs
 	cmake --build build -j $(JOBS)
-	ctest --test-dir build --output-on-failure -L programs
+	ctest --test-dir build --output-on-failure -j $(JOBS) -L programs
 
 test-rest: build .npm ## all templates by five knives come to rest in MuJoCo, welded fruits hold, dishes are open; half an hour
 	@scripts/setup.sh build test programs
@@ -103,10 +105,20 @@ reproduce: ## builds the program in a dozen ways that must not matter, and two t
 
 lint: .npm ## formatting, the naming of our own headers, and the types of our scripts
 	@scripts/setup.sh build test lint
-	scripts/format.sh --check
+	@$(MAKE) --no-print-directory --keep-going --output-sync -j $(JOBS) $(LINTERS)
+
+# Each uses one core.
+LINTERS := .lint-naming .lint-format .lint-blender .lint-pages .lint-strict
+.PHONY: $(LINTERS)
+.lint-naming:
 	scripts/check_naming.sh
+.lint-format:
+	scripts/format.sh --check
+.lint-blender:
 	mypy --config-file blender/mypy.ini blender
+.lint-pages:
 	npx tsc --project tsconfig.json
+.lint-strict:
 	npx tsc --project tsconfig.strict.json
 
 format: ## formats the sources

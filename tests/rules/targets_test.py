@@ -5,8 +5,10 @@ the one before it has left, and finds what it wants built.
     targets_test.py ROOT
 
 Nothing is compiled: `make -n` tells a target's commands, those that configure are run, and of those that build it is
-asked whether the build folder knows how."""
+asked whether the build folder knows how. What several targets have in common is tried once: a preset after another in
+one folder, and all that is built with it."""
 
+import json
 import pathlib
 import re
 import shutil
@@ -17,6 +19,7 @@ import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1) if len(sys.argv) > 1 else ".").resolve()
 NOT_COPIED = shutil.ignore_patterns(".git", "build*", "out", "node_modules", "__pycache__")
+NEEDED = {"clang-bytes": "clang++", "clang": "clang++", "python": "pybind11-config"}
 
 
 def targets():
@@ -30,25 +33,49 @@ def commands_of(target, folder):
     return [command for line in told.stdout.splitlines() for command in re.split(r"&&|\|\||;", line)]
 
 
+def folders():
+    """The build folder of each preset."""
+    found = {}
+    for preset in json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]:
+        own = preset.get("binaryDir", "").removeprefix("${sourceDir}/")
+        found[preset["name"]] = own or found[preset["inherits"]]
+    return found
+
+
+def wanted(folder):
+    """Steps from one preset of a build folder to another (None: no folder yet), each with the first target that makes it;
+    and what is built with each preset."""
+    folder_of, now, steps, built = folders(), {}, {}, {}
+    for target in targets():
+        for command in commands_of(target, folder):
+            if configured := re.search(r"cmake --preset ([\w-]+)", command):
+                preset = configured.group(1)
+                if preset in NEEDED and not shutil.which(NEEDED[preset]):
+                    continue
+                before, now[folder_of[preset]] = now.get(folder_of[preset]), preset
+                if before != preset:
+                    steps.setdefault((before, preset), target)
+            elif build := re.search(r"cmake --build (\S+)(?: --target ([\w -]+?))?(?: -j| >|$)", command):
+                if build.group(1) in now:
+                    built.setdefault(now[build.group(1)], {}).update(dict.fromkeys((build.group(2) or "all").split()))
+    return steps, built
+
+
 class Targets(unittest.TestCase):
     def test_each_works_after_the_one_before_it(self):
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch, "copy")
             shutil.copytree(ROOT, folder, ignore=NOT_COPIED)
-            configured = None
-            for target in targets():
-                for command in commands_of(target, folder):
-                    if preset := re.search(r"cmake --preset ([\w-]+)", command):
-                        needed = {"clang-bytes": "clang++", "clang": "clang++", "python": "pybind11-config"}.get(preset.group(1))
-                        if needed and not shutil.which(needed):
-                            continue
-                        if preset.group(1) != configured:
-                            self.run_in(folder, target, "cmake", "--preset", preset.group(1))
-                        configured = preset.group(1)
-                    elif build := re.search(r"cmake --build (\S+)(?: --target ([\w -]+?))?(?: -j| >|$)", command):
-                        if (folder / build.group(1) / "build.ninja").exists():
-                            wanted = (build.group(2) or "all").split()
-                            self.run_in(folder, target, "ninja", "-C", build.group(1), "-t", "query", *wanted)
+            folder_of, now = folders(), {}
+            steps, built = wanted(folder)
+            self.assertGreater(len(steps), 10)
+            for (before, preset), target in steps.items():
+                build = folder_of[preset]
+                if now.get(build) != before:
+                    self.run_in(folder, target, "cmake", "--preset", before)
+                self.run_in(folder, target, "cmake", "--preset", preset)
+                now[build] = preset
+                self.run_in(folder, target, "ninja", "-C", build, "-t", "query", *built.get(preset, ["all"]))
 
     def run_in(self, folder, target, *words):
         done = subprocess.run(words, cwd=folder, capture_output=True, text=True)
