@@ -29,7 +29,7 @@ Json contact_list(std::span<const Solid> pieces) {
     const PieceContact& contact = weld.contact;
     const Solid& first = pieces[static_cast<std::size_t>(contact.first)];
     Json parts = Json::object();
-    for (const auto& [part, area] : contact.parts) parts[first.look->part_names[static_cast<std::size_t>(part)]] = area;
+    for (const auto& [part, area] : weld.parts) parts[first.look->part_names[static_cast<std::size_t>(part)]] = area;
     list.push_back({{"name", weld_name(contact)},
                     {"pieces", {first.name, pieces[static_cast<std::size_t>(contact.second)].name}},
                     {"cut", contact.cut},

@@ -6,6 +6,7 @@
 #include "generator/base/units.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
+#include "generator/piece/contacts.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"
 #include "tests/shapes/sliced.h"
@@ -98,6 +99,27 @@ TEST(Slice, LeavesWhatTheTemplateSparesInOnePiece) {
   EXPECT_LT(spared.pieces[1].volume, plain.pieces[1].volume);
   for (const Solid& piece : spared.pieces) EXPECT_TRUE(piece.closed);
   EXPECT_EQ(spared.section.triangle, plain.section.triangle);
+
+  // They touch in the flesh that was cut, and around the stone; together that is what the knife has laid bare.
+  const std::vector<PieceContact> touching = contacts_of(spared.pieces);
+  ASSERT_EQ(touching.size(), 2u);
+  EXPECT_EQ(touching[0].cut, around_spared);
+  EXPECT_EQ(touching[1].cut, 0);
+  const auto surface = [](const SolidMesh& mesh) {
+    double area = 0;
+    for (std::size_t t = 0; t < mesh.triangle.size(); ++t) area += 0.5 * glm::length(mesh.area_vector(t));
+    return area;
+  };
+  const std::vector<PieceContact> through = contacts_of(plain.pieces);
+  ASSERT_EQ(through.size(), 1u);
+  const double skin = surface(plain.pieces[0].mesh) + surface(plain.pieces[1].mesh) - 2 * through[0].area;
+  const double bare = surface(spared.pieces[0].mesh) + surface(spared.pieces[1].mesh) - skin;
+  EXPECT_NEAR(2 * (touching[0].area + touching[1].area) / bare, 1, 1e-6);
+  EXPECT_NEAR(touching[0].area / (2 * pi * 0.02 * 0.015), 1, 0.02) << "the part of a ball of 20 mm beyond 5 mm";
+  ASSERT_EQ(touching[0].parts.size(), 1u);
+  const auto [first, second] = touching[0].parts.begin()->first;
+  EXPECT_EQ(peach.part_names[static_cast<std::size_t>(first)], "stone");
+  EXPECT_EQ(peach.part_names[static_cast<std::size_t>(second)], "flesh");
 }
 
 TEST(Slice, GivesEachPieceTheSpotsOfItsSkinThatStandOut) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -90,18 +91,19 @@ double lowest_of(const SimulatedScene& scene) {
   return lowest;
 }
 
-/// Each solid of a cut is there once.
-std::vector<SimulatedWeld> simulated_welds(const Scene& scene, const SimulatedScene& made) {
+/// The scene with its welds. Each solid of a cut is there once.
+SimulatedScene welded(SimulatedScene made, const Scene& scene) {
   std::map<int, int> body_of;
   for (std::size_t i = 0; i < made.bodies.size(); ++i) body_of[made.bodies[i].kind] = static_cast<int>(i);
-  std::vector<SimulatedWeld> welds;
   for (const Weld& weld : welds_of(scene.solids)) {
     const PieceContact& contact = weld.contact;
     const auto first = body_of.find(contact.first), second = body_of.find(contact.second);
     if (first == body_of.end() || second == body_of.end()) continue;
-    welds.push_back({weld_name(contact), first->second, second->second, contact.area, weld.strength});
+    made.welds.push_back({weld_name(contact), first->second, second->second, contact.area, weld.strength});
+    if (contact.cut != around_spared) continue;
+    for (const auto& end : {first, second}) made.bodies[static_cast<std::size_t>(end->second)].is_around_spared = true;
   }
-  return welds;
+  return made;
 }
 
 }  // namespace
@@ -143,8 +145,7 @@ SimulatedScene simulated_scene(const Scene& scene, const ExportOptions& options)
                            rotation_with_up(UpAxis::z, rotation)});
   }
   made.ground = lowest_of(made);
-  if (options.welded) made.welds = simulated_welds(scene, made);
-  return made;
+  return options.welded ? welded(std::move(made), scene) : made;
 }
 
 }  // namespace pomona

@@ -45,6 +45,10 @@ struct SimulatedBody {
   int kind = 0;      ///< index into SimulatedScene::kinds
   glm::dvec3 place{0};
   glm::dquat rotation{1, 0, 0, 0};
+
+  /// Welded around a spared part: a stone fills its socket, and hulls of the two overlap. Such bodies do not collide
+  /// with each other.
+  bool is_around_spared = false;
 };
 
 /// Two bodies joined.

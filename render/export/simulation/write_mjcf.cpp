@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 #include <span>
+#include <string_view>
 
 #include "generator/base/units.h"
 #include "generator/mesh/principal_axes.h"
@@ -80,7 +81,10 @@ void append_body(std::string& text, const SimulatedBody& body, const SimulatedKi
   }
   for (const VisualMesh& visual : kind.visuals)
     text += "      <geom class=\"seen\" mesh=\"" + visual.name + "\" rgba=\"" + rgba(visual) + "\"/>\n";
-  for (const HullMesh& part : kind.hulls) text += "      <geom class=\"felt\" mesh=\"" + part.name + "\"/>\n";
+  // Their contype meets the conaffinity of all others, and that of none of their like.
+  const std::string_view collides = body.is_around_spared ? " conaffinity=\"0\"" : "";
+  for (const HullMesh& part : kind.hulls)
+    text += "      <geom class=\"felt\" mesh=\"" + part.name + "\"" + std::string(collides) + "/>\n";
   text += "    </body>\n";
 }
 
