@@ -148,12 +148,19 @@ struct Places {
   double scale = 0;  ///< drawn_scale()
 };
 
+/// From beside the table, one of two pieces in two rows would hide the other, and be drawn at another scale.
+bool is_standing_pair(const Tray& tray, const glm::dvec3& back) {
+  return tray.bounds.size() == 2 && back == eye_beside_table();
+}
+
 Places best_rows(const Tray& tray, const std::vector<std::size_t>& order, bool apart, const glm::dvec3& back,
                  double aspect) {
   Places best;
+  std::vector<double> widths = row_widths(tray, order);
+  if (is_standing_pair(tray, back)) widths = {widths.front()};
   // Two halves lie side by side, unless they are much larger one behind the other.
   const double gain = order.size() <= 4 ? 1.12 : 1.005;
-  for (const double width : row_widths(tray, order)) {
+  for (const double width : widths) {
     std::vector<glm::dvec3> place = filled_rows(tray, order, {width, apart});
     const double scale = drawn_scale(tray, place, back, aspect);
     if (scale > best.scale * gain) best = {std::move(place), scale};

@@ -176,6 +176,17 @@ TEST(LaidOut, WhatHasFlatGroundUnderItStands) {
   }
 }
 
+/// Halves of a cake or a mountain, in a picture that is hardly wider than high: the nearer would hide the other.
+TEST(LaidOut, WideHalvesThatStandAreSideBySide) {
+  const DiffusionSurfaces cake = shapes::box({-0.09, 0, -0.09}, {0.09, 0.05, 0.09}, 4, shapes::skin_paint());
+  const Scene table = laid_out(pieces_of(cake, {"half"}), 4.0 / 3);
+  ASSERT_EQ(table.instances.size(), 2u);
+  const Box<double> one = box_around(placed_points(table, table.instances[0]));
+  const Box<double> other = box_around(placed_points(table, table.instances[1]));
+  EXPECT_TRUE(one.high.x < other.low.x || other.high.x < one.low.x);
+  EXPECT_NEAR(one.high.z, other.high.z, 1e-9) << "equally near, so at one scale";
+}
+
 TEST(LaidOut, WedgesLieOnTheirSides) {
   const Scene table = laid_out(pieces_of(ball(), {"wedges:6"}));
   for (const Instance& instance : table.instances) {
