@@ -245,7 +245,7 @@ TEST(Tissues, stay_as_unlike_as_they_are_drawn) {
   }
 }
 
-/// Flesh of an apple is much paler than the mean of its part, to which its bundles belong, too. Before, it went as far as
+/// Flesh of an apple is much paler than the mean of its part, to which its bundles belong. Before, it went as far as
 /// that mean and became one flat white.
 TEST(Tissues, keep_their_shades_at_every_ripeness_and_deviation) {
   const Color pale(0.85f, 0.8f, 0.6f), paler(0.95f, 0.9f, 0.75f), dark(0.03f, 0.02f, 0.04f);
