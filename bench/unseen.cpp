@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -78,23 +79,29 @@ struct Lack {
   double share = 1;
 };
 
-/// Fruit without folds has no chambers that a half may miss on one side: both sides together count as two equal ones.
-double lesser_side(const Json& row, const std::string& part) {
+/// What a half should show: the inner parts, and those of them that it may miss on one side.
+struct PartsToShow {
+  std::vector<std::string> inner;
+  std::set<std::string> in_folds;
+};
+
+/// Both sides of parts that no fold holds count together, as two equal ones.
+double lesser_side(const Json& row, const std::string& part, const PartsToShow& parts) {
   const Json& sides = row["half"]["sides"];
   if (!sides.contains(part)) return 0;
   const double left = sides[part][0], right = sides[part][1];
-  return row["folds"] == 1 ? 0.5 * (left + right) : std::min(left, right);
+  return row["folds"] == 1 || !parts.in_folds.contains(part) ? 0.5 * (left + right) : std::min(left, right);
 }
 
 /// The inner part of which the half has least, compared with the drawing.
-Lack worst_lack(const Json& row, const Json& drawn, const std::vector<std::string>& parts) {
+Lack worst_lack(const Json& row, const Json& drawn, const PartsToShow& parts) {
   Lack worst;
-  for (const std::string& part : parts) {
-    const double least = lesser_side(drawn, part);
+  for (const std::string& part : parts.inner) {
+    const double least = lesser_side(drawn, part, parts);
     if (least < least_part / 3) continue;
     const Json& sides = drawn["half"]["sides"][part];
     if (sides[0].get<double>() + sides[1].get<double>() < least_part) continue;
-    const double share = lesser_side(row, part) / least;
+    const double share = lesser_side(row, part, parts) / least;
     if (share < worst.share) worst = {part, share};
   }
   return worst;
@@ -106,7 +113,7 @@ double specks_of(const Json& row) {
 }
 
 /// The faults of a fruit, each 0 if it is sound.
-std::map<std::string, double> faults_of(const Json& row, const Json& drawn, const std::vector<std::string>& parts) {
+std::map<std::string, double> faults_of(const Json& row, const Json& drawn, const PartsToShow& parts) {
   const Lack lack = worst_lack(row, drawn, parts);
   // Chambers may be empty where the drawing has empty ones.
   const double empty = drawn["empty_chambers"] == 0 ? row["empty_chambers"].get<double>() : 0;
@@ -121,7 +128,7 @@ std::map<std::string, double> faults_of(const Json& row, const Json& drawn, cons
 
 struct Fruit {
   std::string name;
-  std::vector<std::string> inner_parts;
+  PartsToShow parts;
   std::vector<Json> rows;  ///< the drawing first
 };
 
@@ -148,7 +155,7 @@ std::vector<Json> rows_of(const std::string& name, const UnseenFruit& fruit, con
 std::string worst_seeds(const Fruit& fruit, const std::string& fault) {
   std::vector<std::pair<double, int>> worst;
   for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-    const double by = faults_of(fruit.rows[i], fruit.rows.front(), fruit.inner_parts).at(fault);
+    const double by = faults_of(fruit.rows[i], fruit.rows.front(), fruit.parts).at(fault);
     if (by > 0) worst.emplace_back(-by, fruit.rows[i]["seed"].get<int>());
   }
   std::sort(worst.begin(), worst.end());
@@ -174,7 +181,7 @@ double mean_specks(const Fruit& fruit) {
 std::string most_lacking(const Fruit& fruit) {
   std::map<std::string, int> count;
   for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-    const Lack lack = worst_lack(fruit.rows[i], fruit.rows.front(), fruit.inner_parts);
+    const Lack lack = worst_lack(fruit.rows[i], fruit.rows.front(), fruit.parts);
     if (lack.share < short_side) ++count[lack.part];
   }
   std::string most = "-";
@@ -210,7 +217,7 @@ int fallen_out(const std::vector<Fruit>& fruits) {
   int fallen = 0;
   for (const Fruit& fruit : fruits) {
     for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-      const auto faults = faults_of(fruit.rows[i], fruit.rows.front(), fruit.inner_parts);
+      const auto faults = faults_of(fruit.rows[i], fruit.rows.front(), fruit.parts);
       fallen += std::any_of(faults.begin(), faults.end(), [](const auto& fault) { return fault.second > 0; });
     }
   }
@@ -226,7 +233,7 @@ Json worst_fruits(const std::vector<Fruit>& fruits) {
     for (const Fruit& fruit : fruits) {
       std::vector<std::tuple<double, std::string, int>> own;
       for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-        const double by = faults_of(fruit.rows[i], fruit.rows.front(), fruit.inner_parts).at(fault);
+        const double by = faults_of(fruit.rows[i], fruit.rows.front(), fruit.parts).at(fault);
         if (by > 0) own.emplace_back(-by, fruit.name, fruit.rows[i]["seed"].get<int>());
       }
       std::sort(own.begin(), own.end());
@@ -252,8 +259,9 @@ int make_report(const Options& options) {
     const Template fruit = read_template(template_path(names[i]));
     if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) continue;  // nothing varies
     const UnseenFruit unseen(fruit);
-    fruits.push_back(
-        {names[i], unseen.inner_parts(), rows_of(names[i], unseen, range_of(options.seeds), known, {options.threads})});
+    fruits.push_back({names[i],
+                      {unseen.inner_parts(), unseen.parts_in_folds()},
+                      rows_of(names[i], unseen, range_of(options.seeds), known, {options.threads})});
     for (const Json& row : fruits.back().rows) keep(row);
     Json all = Json::array();
     for (const auto& [key, row] : known) all.push_back(row);

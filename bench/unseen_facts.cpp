@@ -236,10 +236,30 @@ std::vector<std::string> inner_parts_of(const Template& fruit) {
   return names;
 }
 
+/// Layers around an axis that bends lie on both sides of it, if not always of the straight line that divides sides.
+std::set<std::string> parts_in_folds_of(const Template& fruit) {
+  std::set<int> in_folds, around;
+  for (const SurfaceSketch& surface : fruit.surfaces) {
+    if (surface.type != SurfaceType::in_fold) around.insert({surface.front.part, surface.back.part});
+    if (surface.type == SurfaceType::in_fold) in_folds.insert({surface.front.part, surface.back.part});
+  }
+  for (const GrainSketch& grain : fruit.grains) {
+    const bool folds = fruit.surfaces[static_cast<std::size_t>(grain.surface)].type == SurfaceType::in_fold;
+    (folds ? in_folds : around).insert(grain.back.part);
+  }
+  std::set<std::string> names;
+  for (const int part : in_folds)
+    if (!around.contains(part)) names.insert(fruit.parts[static_cast<std::size_t>(part)]);
+  return names;
+}
+
 }  // namespace
 
 UnseenFruit::UnseenFruit(Template fruit)
-    : fruit_(std::move(fruit)), variation_(fruit_), inner_parts_(inner_parts_of(fruit_)) {}
+    : fruit_(std::move(fruit)),
+      variation_(fruit_),
+      inner_parts_(inner_parts_of(fruit_)),
+      parts_in_folds_(parts_in_folds_of(fruit_)) {}
 
 UnseenFacts UnseenFruit::facts(int seed) const {
   const VariantKey key{static_cast<std::uint64_t>(seed), 0};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,10 +50,14 @@ class UnseenFruit {
   /// The parts that a half should show: those on surfaces in folds, on grains, and on surfaces between them.
   const std::vector<std::string>& inner_parts() const { return inner_parts_; }
 
+  /// Those of them that folds alone hold, which a half may miss on one side of the axis.
+  const std::set<std::string>& parts_in_folds() const { return parts_in_folds_; }
+
  private:
   Template fruit_;
   Variation variation_;
   std::vector<std::string> inner_parts_;
+  std::set<std::string> parts_in_folds_;
 };
 
 }  // namespace pomona::bench

@@ -17,9 +17,20 @@ namespace {
 
 bool is_none(const ColorShift& shift) { return shift.lightness == 0 && shift.chroma == 1 && shift.hue == 0; }
 
+/// How much of its way to black or white a colour may go at most: what is drawn pale or dark keeps its shades, where all
+/// that went farther would end as one flat white or black. Tissues, which move as one, go a little less far than the
+/// colours in them.
+constexpr double most_of_room = 0.75, most_of_tissue = 0.7;
+
+/// `value` moved, between 0 and 1; without effect on the move where the room is large.
+double within_room(double value, double by) {
+  const double room = most_of_room * std::max(0.0, by > 0 ? 1 - value : value);
+  return value + std::clamp(by, -room, room);
+}
+
 glm::dvec3 shifted(const glm::dvec3& lab, const ColorShift& shift) {
   const double c = reproducible::cos(shift.hue) * shift.chroma, s = reproducible::sin(shift.hue) * shift.chroma;
-  return {lab.x + shift.lightness, c * lab.y - s * lab.z, s * lab.y + c * lab.z};
+  return {within_room(lab.x, shift.lightness), c * lab.y - s * lab.z, s * lab.y + c * lab.z};
 }
 
 /// False for surfaces with parts that the template does not have.
@@ -222,22 +233,19 @@ class Ripener {
     return std::clamp((std::fabs(fruit_.individual.ripeness - 1) - strays) / 0.15, 0.0, 1.0);
   }
 
-  /// \param own how the colour ripens before the tissue's move, or null
-  Color moved_with_tissue(const Color& color, const PartRipening* own, double lateness, std::int32_t leading,
-                          double ripeness_of_move) const {
+  /// \param own how the colour ripens, or null. Its shift is the tissue's.
+  Color ripened_alone(const Color& color, const PartRipening* own, double lateness, std::int32_t leading) const {
     const double ripeness = ripeness_at(own, lateness);
     const Color ripe = ripeness != 1 ? in_gamut((*own)(to_oklab(color), ripeness)) : color;
-    return moved(ripe, move_of(leading, ripeness_of_move));
+    return moved(ripe, move_of(leading, 1));
   }
 
   Color changed_with_tissue(const Color& color, std::int32_t part, double lateness) const {
     const std::int32_t leading = leads_[static_cast<std::size_t>(part)];
-    const PartRipening* own = part == leading ? nullptr : ripening_of(part);
-    const Color together =
-        moved_with_tissue(color, own, lateness, leading, own ? 1 : ripeness_at(ripening_of(leading), lateness));
+    const Color together = moved(color, move_of(leading, ripeness_at(ripening_of(leading), lateness)));
     const double share = share_alone();
     if (share == 0) return together;
-    const Color alone = moved_with_tissue(color, ripening_of(part), lateness, leading, 1);
+    const Color alone = ripened_alone(color, ripening_of(part), lateness, leading);
     return together + static_cast<float>(share) * (alone - together);
   }
 
@@ -269,8 +277,8 @@ class Ripener {
       Room& room = rooms_[static_cast<std::size_t>(leads_[part])];
       for (int c = 0; c < 3; ++c) {
         const double encoded = srgb_from_linear(mean[c]);
-        room.below[c] = std::min(room.below[c], encoded);
-        room.above[c] = std::min(room.above[c], 1 - encoded);
+        room.below[c] = std::min(room.below[c], most_of_tissue * encoded);
+        room.above[c] = std::min(room.above[c], most_of_tissue * (1 - encoded));
       }
     }
   }
@@ -313,7 +321,7 @@ class Ripener {
   Color moved(const Color& color, const glm::dvec3& by) const {
     if (by == glm::dvec3(0)) return color;
     Color result;
-    for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(srgb_.to_linear(srgb_.to_srgb(color[c]) + by[c]));
+    for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(srgb_.to_linear(within_room(srgb_.to_srgb(color[c]), by[c])));
     return result;
   }
 

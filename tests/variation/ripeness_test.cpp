@@ -1,6 +1,7 @@
 // Ripeness and colour of individuals.
 #include "generator/variation/ripen.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -242,6 +243,45 @@ TEST(Tissues, stay_as_unlike_as_they_are_drawn) {
     const glm::dvec3 moved = difference_across(varied, stone) - difference_across(surfaces, stone);
     for (int c = 0; c < 3; ++c) EXPECT_LE(std::fabs(moved[c]), 5) << seed;
   }
+}
+
+/// Flesh of an apple is much paler than the mean of its part, to which its bundles belong. Before, it went as far as
+/// that mean and became one flat white.
+TEST(Tissues, keep_their_shades_at_every_ripeness_and_deviation) {
+  const Color pale(0.85f, 0.8f, 0.6f), paler(0.95f, 0.9f, 0.75f), dark(0.03f, 0.02f, 0.04f);
+  DiffusionSurfaces surfaces = nested_fruit(Color(0.3f, 0.25f, 0.1f));
+  const std::vector<std::size_t> flesh = vertices_of(surfaces, "flesh");
+  for (std::size_t i = 0; i < 6; ++i)
+    surfaces.front_color[flesh[i]] = surfaces.back_color[flesh[i]] = std::array{pale, paler, dark}[i % 3];
+  Template fruit = ripening_fruit();
+  for (RipenessSketch::Part& part : fruit.ripeness.parts) part.stops = {{0, Color(0.9f, 0.9f, 0.9f)}, {2, Color(0)}};
+  fruit.variation.color.ripeness = 0.25;
+  fruit.variation.color.tissues = {{1, 2}};
+  for (const double lightness : {-0.3, 0.0, 0.3}) {
+    fruit.individual.shifts.assign(3, {.lightness = lightness, .chroma = 1, .hue = 0});
+    for (const double ripeness : {0.5, 0.8, 1.0, 1.2, 1.5}) {
+      const DiffusionSurfaces now = ripened_to(ripeness, fruit, surfaces);
+      const auto shade = [&](std::size_t i) { return glm::ivec3(to_srgb8(now.front_color[flesh[i]])); };
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_LT(shade(0)[c], shade(1)[c]) << ripeness << ' ' << lightness;
+        EXPECT_LT(shade(1)[c], 255) << ripeness << ' ' << lightness;
+        EXPECT_GT(shade(2)[c], 0) << ripeness << ' ' << lightness;
+      }
+    }
+  }
+}
+
+/// The core of a tomato: red as its flesh is while it ripens by itself, green if it is asked to be far from ripe.
+TEST(Tissues, follow_their_first_part_within_strays_and_their_own_colours_beyond) {
+  const DiffusionSurfaces surfaces = nested_fruit();
+  const std::size_t stone = vertices_of(surfaces, "stone").front();
+  Template fruit = ripening_fruit();
+  fruit.ripeness.parts.push_back({.part = 2, .stops = {{0, cream}}});
+  fruit.variation.color.ripeness = 0.1;
+  fruit.variation.color.tissues = {{1, 2}};
+  const DiffusionSurfaces astray = ripened_to(0.9, fruit, surfaces);
+  EXPECT_EQ(to_srgb8(astray.back_color[stone]), to_srgb8(astray.front_color[stone]));
+  EXPECT_LT(glm::distance(ripened_to(0, fruit, surfaces).back_color[stone], cream), 0.01f);
 }
 
 TEST(Tissues, keep_their_bits_in_the_fruit_as_drawn) {
