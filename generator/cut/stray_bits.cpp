@@ -11,6 +11,7 @@
 #include "generator/base/reproducible.h"
 #include "generator/mesh/box.h"
 #include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/triangle_tree.h"
 
 namespace pomona {
 
@@ -75,25 +76,39 @@ bool is_held(const CutPiece& piece, std::span<const int> held_parts) {
 
 /// Two pieces of a cell, by their place in it.
 struct NearPieces {
-  double square = 0;  ///< of their distance
+  double distance = 0;
   std::uint32_t a = 0, b = 0;
 };
+
+/// Skin and cut faces.
+TriangleTree tree_of(const CutPiece& piece, const CrossSection& section) {
+  std::vector<glm::vec3> position = piece.position;
+  std::vector<glm::uvec3> triangle = piece.triangle;
+  for (const CutPiece::CapTriangle& cap : piece.caps) {
+    const glm::uvec3& t = section.triangle[cap.triangle];
+    const auto first = static_cast<std::uint32_t>(position.size());
+    for (int k = 0; k < 3; ++k) position.push_back(section.position[t[k]]);
+    triangle.emplace_back(first, first + 1, first + 2);
+  }
+  return {position, triangle};
+}
 
 /// All pairs of pieces within reach of which one is held, the nearest first.
 std::vector<NearPieces> near_held(const std::vector<CutPiece>& pieces, const std::vector<std::uint32_t>& here,
                                   const CrossSection& section, const std::vector<std::uint8_t>& held, double reach) {
-  std::vector<std::vector<glm::vec3>> places;
-  for (const std::uint32_t piece : here) places.push_back(corners(pieces[piece], section));
+  // Leaves are thin and their triangles large, so distances between corners would be far too long.
+  std::vector<TriangleTree> trees;
+  for (const std::uint32_t piece : here) trees.push_back(tree_of(pieces[piece], section));
   std::vector<NearPieces> near;
   for (std::uint32_t a = 0; a < here.size(); ++a) {
     for (std::uint32_t b = a + 1; b < here.size(); ++b) {
       if (held[a] == 0 && held[b] == 0) continue;
-      const double square = nearest(places[b], places[a], reach);
-      if (std::isfinite(square)) near.push_back({square, a, b});
+      const ClosestPair pair = closest(trees[a], trees[b], glm::dvec3(0), reach);
+      if (std::isfinite(pair.distance)) near.push_back({pair.distance, a, b});
     }
   }
   std::sort(near.begin(), near.end(), [](const NearPieces& l, const NearPieces& r) {
-    return std::tuple(l.square, l.a, l.b) < std::tuple(r.square, r.a, r.b);
+    return std::tuple(l.distance, l.a, l.b) < std::tuple(r.distance, r.a, r.b);
   });
   return near;
 }

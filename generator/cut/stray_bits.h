@@ -24,10 +24,10 @@ std::vector<std::uint32_t> homes_of_bits(const std::vector<CutPiece>& pieces, co
 
 /// The home of every piece: the piece itself, or, for one whose skin consists of held parts alone, the piece that it
 /// lies against, directly or by others of its kind: at most `reach` away, in cube roots of the whole's volume, nearest
-/// ones first. Of held ones that lie against each other alone, the largest is the home.
+/// ones first, measured between triangles. Of held ones that lie against each other alone, the largest is the home.
 /// \param cell of each piece.
 std::vector<std::uint32_t> homes_of_held(const std::vector<CutPiece>& pieces, const std::vector<std::uint32_t>& cell,
                                          const CrossSection& section, std::span<const int> held_parts,
-                                         double reach = 0.03);
+                                         double reach = 0.08);
 
 }  // namespace pomona

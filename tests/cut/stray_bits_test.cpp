@@ -81,7 +81,18 @@ std::size_t pieces_with_held(const DiffusionSurfaces& fruit, const std::string& 
 TEST(HeldParts, StayWithThePieceTheyLieAgainstThroughOthers) {
   EXPECT_EQ(halves(box_with_plates(0.001, 3)).pieces.size(), 5u) << "two halves and three plates";
   EXPECT_EQ(pieces_with_held(box_with_plates(0.001, 3)), 2u);
-  EXPECT_EQ(pieces_with_held(box_with_plates(0.004, 3)), 5u) << "none lies against another";
+  EXPECT_EQ(pieces_with_held(box_with_plates(0.006, 3)), 5u) << "none lies against another";
+}
+
+/// The corners of large triangles lie far from those of a neighbour that touches them in their middle.
+TEST(HeldParts, LieAgainstTheMiddleOfLargeTriangles) {
+  shapes::Paint leaf = shapes::skin_paint();
+  leaf.name = "leaf";
+  leaf.front_part = leaf.back_part = "leaf";
+  const DiffusionSurfaces fruit =
+      joined(shapes::box(glm::dvec3(-side / 2), glm::dvec3(side / 2), 1, shapes::skin_paint()),
+             shapes::box({-0.02, side / 2 + 0.001, 0.002}, {0.02, side / 2 + 0.007, 0.027}, 1, leaf));
+  EXPECT_EQ(pieces_with_held(fruit), 2u);
 }
 
 TEST(HeldParts, AreOnePieceWhereNothingElseIsNear) {

@@ -162,7 +162,7 @@ LeafChance leaf_chance(const SheetSketch& sketch, const RandomStream& random, in
   const auto n = static_cast<std::uint64_t>(k);
   const auto normal = [&](std::uint64_t draw) { return clipped_normal(random, 4 * n + draw); };
   LeafChance leaf;
-  leaf.age = sketch.count > 1 ? k / (sketch.count - 1.0) : 0;
+  leaf.age = age_of(sketch, k);
   const double azimuth = sketch.divergence * k + sketch.turn_jitter * normal(0);
   leaf.turn = {reproducible::cos(azimuth), reproducible::sin(azimuth)};
   leaf.tip = sketch.reach(leaf.age) * (1 + sketch.reach_jitter * normal(1));
@@ -213,19 +213,15 @@ class LeafPile {
     return all;
   }
 
-  std::vector<SweptGrid> shells(const std::vector<Faces>& all, const Ground& divisor) const {
-    std::vector<SweptGrid> shells;
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      std::vector<glm::dvec3> lower, upper;
-      for (std::size_t v = 0; v < all[k].ground.size(); ++v) {
-        const glm::dvec2& ground = all[k].ground[v];
-        const double by = divisor(ground);
-        lower.push_back(foliation_.at(all[k].lower[v] / by, ground));
-        upper.push_back(foliation_.at(all[k].upper[v] / by, ground));
-      }
-      shells.push_back(sheet_shell(lower, upper, around_, along_, leaves_[k].age));
+  SweptGrid shell(const Faces& faces, const Ground& divisor, int leaf) const {
+    std::vector<glm::dvec3> lower, upper;
+    for (std::size_t v = 0; v < faces.ground.size(); ++v) {
+      const glm::dvec2& ground = faces.ground[v];
+      const double by = divisor(ground);
+      lower.push_back(foliation_.at(faces.lower[v] / by, ground));
+      upper.push_back(foliation_.at(faces.upper[v] / by, ground));
     }
-    return shells;
+    return sheet_shell(lower, upper, around_, along_, age_of(sketch_, leaf));
   }
 
  private:
@@ -361,24 +357,34 @@ Ground divisor_of(const Ground& top) {
 
 }  // namespace
 
-std::vector<SweptGrid> leaf_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
-  const LeafPile pile(sketch, options);
-  if (sketch.kind == SheetSketch::Kind::rosette) {
-    Ground top;
-    return pile.shells(pile.piled(sketch.gap, Ground(1), top), Ground(1));
-  }
-  // What room is left between the two curves, is shared by the gaps: the height of the pile is nearly linear in them.
-  Ground least, wider;
-  pile.piled(sketch.gap, Ground(1), least);
+namespace {
+
+/// What room is left between the two curves, is shared by the gaps: the height of the pile is nearly linear in them.
+double shared_gap(const Template& fruit, const SheetSketch& sketch, const LeafPile& pile, const Ground& least) {
+  Ground wider;
   pile.piled(3 * sketch.gap, Ground(1), wider);
   const double low = usual_height(least), slope = (usual_height(wider) - low) / (2 * sketch.gap);
   if (low > 4)
     refuse_entry(fruit, "sheets", sketch.name, "so many leaves have no room",
                  "make them fewer or thinner, or the outer curve wider");
-  const double gap = slope > 0 ? sketch.gap + std::clamp((1 - low) / slope, 0.0, 0.01) : sketch.gap;
-  Ground top;
-  const std::vector<LeafPile::Faces> faces = pile.piled(gap, divisor_of(least), top);
-  return pile.shells(faces, divisor_of(top));
+  return slope > 0 ? sketch.gap + std::clamp((1 - low) / slope, 0.0, 0.01) : sketch.gap;
+}
+
+}  // namespace
+
+SheetShell leaf_shell(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
+  const LeafPile pile(sketch, options);
+  Ground top, divisor(1);
+  double gap = sketch.gap;
+  if (sketch.kind == SheetSketch::Kind::head) {
+    Ground least;
+    pile.piled(sketch.gap, Ground(1), least);
+    gap = shared_gap(fruit, sketch, pile, least);
+    divisor = divisor_of(least);
+  }
+  const std::vector<LeafPile::Faces> faces = pile.piled(gap, divisor, top);
+  if (sketch.kind == SheetSketch::Kind::head) divisor = divisor_of(top);
+  return [pile, faces, divisor](int leaf) { return pile.shell(faces[static_cast<std::size_t>(leaf)], divisor, leaf); };
 }
 
 }  // namespace pomona

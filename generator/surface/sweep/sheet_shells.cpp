@@ -93,68 +93,82 @@ SweptGrid sheet_shell(const std::vector<glm::dvec3>& lower, const std::vector<gl
   return grid;
 }
 
-std::vector<SweptGrid> blade_shells(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
-  const int across = refined(sketch.around, options.detail, 3);
-  const int along = refined(sketch.along, options.detail, 3);
-  const double turn = 2 * pi / sketch.count;
-  const RandomStream random(options.key, "sheet/" + sketch.name);
-  std::vector<SweptGrid> blades;
-  for (int k = 0; k < sketch.count; ++k) {
-    const double reach = sketch.lengths[static_cast<std::size_t>(k) % sketch.lengths.size()];
-    const double phase = 2 * pi * random.uniform(static_cast<std::uint64_t>(k / 4));
-    std::vector<glm::dvec3> sides[2];
-    for (int j = 0; j < along; ++j) {
-      for (int i = 0; i < across; ++i) {
-        const double u = 1 - reach * (1 - static_cast<double>(j) / (along - 1));
-        const double v = static_cast<double>(i) / (across - 1);
-        const glm::dvec2 free = point_at(sketch.inner, u), at = free + v * (point_at(sketch.outer, u) - free);
-        const double radius = std::max(at.x, 1e-5);
-        const double margin = std::clamp(std::min({(u - 1 + reach) / 0.04, (1 - u) / 0.04, v / 0.1}), 0.35, 1.0);
-        const double half = 0.5 * sketch.thickness(u) * margin / radius, sway = sketch.sway / radius;
-        if (half + std::min(sway, 0.0) > 0.5 * turn - 0.5 * sketch.gap / radius)
-          refuse_entry(fruit, "sheets", sketch.name, "they are too thick for their number",
-                       "make them thinner, or fewer");
-        // All wave alike, a quarter of their distance at most; so they keep it.
-        const double wave = std::min(sway, 0.25 * turn) * (1 - v) * reproducible::sin(6 * u + phase) * 0.5;
-        const double room = 0.5 * turn - half - 0.5 * sketch.gap / radius;
-        const double middle = turn * k + std::clamp(wave, -room, room);
-        for (int side = 0; side < 2; ++side) {
-          const double azimuth = middle + (side == 0 ? -half : half);
-          sides[side].emplace_back(radius * reproducible::cos(azimuth), at.y, -radius * reproducible::sin(azimuth));
-        }
-      }
-    }
-    blades.push_back(sheet_shell(sides[0], sides[1], across, along, sketch.count > 1 ? k / (sketch.count - 1.0) : 0));
-  }
-  return blades;
-}
+double age_of(const SheetSketch& sketch, int sheet) { return sketch.count > 1 ? sheet / (sketch.count - 1.0) : 0; }
 
 namespace {
 
-std::vector<SweptGrid> shells_of(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
+/// The azimuths of a plate's two faces at a place of its half-plane.
+struct BladeFaces {
+  double low = 0, high = 0;
+};
+
+/// \param u along the two curves, v from the free edge to the attached one
+/// \param begins where the plate begins along the curves
+BladeFaces blade_faces(const Template& fruit, const SheetSketch& sketch, int blade, double u, double v, double begins,
+                       double radius, double phase) {
+  const double turn = 2 * pi / sketch.count;
+  const double margin = std::clamp(std::min({(u - begins) / 0.04, (1 - u) / 0.04, v / 0.1}), 0.35, 1.0);
+  const double half = 0.5 * sketch.thickness(u) * margin / radius, sway = sketch.sway / radius;
+  if (half + std::min(sway, 0.0) > 0.5 * turn - 0.5 * sketch.gap / radius)
+    refuse_entry(fruit, "sheets", sketch.name, "they are too thick for their number", "make them thinner, or fewer");
+  // All wave alike, a quarter of their distance at most; so they keep it.
+  const double wave = std::min(sway, 0.25 * turn) * (1 - v) * reproducible::sin(6 * u + phase) * 0.5;
+  const double room = 0.5 * turn - half - 0.5 * sketch.gap / radius;
+  const double middle = turn * blade + std::clamp(wave, -room, room);
+  return {middle - half, middle + half};
+}
+
+SweptGrid blade_at(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options, int blade) {
+  const int across = refined(sketch.around, options.detail, 3), along = refined(sketch.along, options.detail, 3);
+  const double reach = sketch.lengths[static_cast<std::size_t>(blade) % sketch.lengths.size()];
+  const RandomStream random(options.key, "sheet/" + sketch.name);
+  const double phase = 2 * pi * random.uniform(static_cast<std::uint64_t>(blade / 4));
+  std::vector<glm::dvec3> sides[2];
+  for (int j = 0; j < along; ++j) {
+    for (int i = 0; i < across; ++i) {
+      const double u = 1 - reach * (1 - static_cast<double>(j) / (along - 1));
+      const double v = static_cast<double>(i) / (across - 1);
+      const glm::dvec2 free = point_at(sketch.inner, u), at = free + v * (point_at(sketch.outer, u) - free);
+      const double radius = std::max(at.x, 1e-5);
+      const BladeFaces faces = blade_faces(fruit, sketch, blade, u, v, 1 - reach, radius, phase);
+      for (int side = 0; side < 2; ++side) {
+        const double azimuth = side == 0 ? faces.low : faces.high;
+        sides[side].emplace_back(radius * reproducible::cos(azimuth), at.y, -radius * reproducible::sin(azimuth));
+      }
+    }
+  }
+  return sheet_shell(sides[0], sides[1], across, along, age_of(sketch, blade));
+}
+
+SheetShell shell_of(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
   switch (sketch.kind) {
     case SheetSketch::Kind::blades:
-      return blade_shells(fruit, sketch, options);
+      return blade_shell(fruit, sketch, options);
     case SheetSketch::Kind::roll:
-      return roll_shells(fruit, sketch, options);
+      return roll_shell(fruit, sketch, options);
     case SheetSketch::Kind::stack:
-      return stack_shells(fruit, sketch, options);
+      return stack_shell(fruit, sketch, options);
     case SheetSketch::Kind::head:
     case SheetSketch::Kind::rosette:
       break;
   }
-  return leaf_shells(fruit, sketch, options);
+  return leaf_shell(fruit, sketch, options);
 }
 
 }  // namespace
+
+SheetShell blade_shell(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
+  return [&fruit, &sketch, options](int blade) { return blade_at(fruit, sketch, options, blade); };
+}
 
 void append_sheets(DiffusionSurfaces& surfaces, const Template& fruit, const SweepOptions& options) {
   const BodyMap map(fruit);
   for (const SheetSketch& sketch : fruit.sheets) {
     if (sketch.count == 0) continue;
-    std::vector<SweptGrid> shells = shells_of(fruit, sketch, options);
+    const SheetShell shell_at = shell_of(fruit, sketch, options);
     GridPainter painter(surfaces, sketch.name, sketch.front, sketch.back, Ramp<double>::constant(sketch.blur));
-    for (SweptGrid& shell : shells) {
+    for (int k = 0; k < sketch.count; ++k) {
+      SweptGrid shell = shell_at(k);
       for (glm::dvec3& p : shell.position) p = map(p);
       const std::size_t first = surfaces.vertex_count();
       painter.append(shell);
