@@ -1,4 +1,5 @@
 // pomona data: a data set of pictures with exact ground truth, drawn from laws.
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "cli/options/option_checks.h"
 #include "cli/options/program_folders.h"
 #include "generator/base/error.h"
+#include "generator/base/shell_words.h"
 
 namespace pomona {
 
@@ -19,6 +21,7 @@ namespace {
 
 struct DataCommand {
   std::string file;
+  BackgroundPaths behind;
   std::optional<int> picture;
   RunWords run;
 };
@@ -32,13 +35,21 @@ std::optional<Shard> share_of(const DataCommand& command, const DataPlan& plan) 
   return Shard{*command.picture + 1, plan.data.count};
 }
 
+/// The set's words in commands that make its pictures again.
+std::string words_of(const DataCommand& command) {
+  std::string words = shell_word(std::filesystem::path(command.file).filename().string());
+  for (const std::string& path : command.behind.pictures) words += " --background " + shell_word(path);
+  for (const std::string& path : command.behind.environments) words += " --environment " + shell_word(path);
+  return words;
+}
+
 ExitStatus make_data(const DataCommand& command) {
   // Everything that can be wrong with the words and the file is told before anything is written.
   check_run_words(command.run);
   if (command.picture && (!command.run.shard.empty() || command.run.update))
     throw Error(ExitStatus::usage, "--picture makes one alone: it does not go with --shard or --update");
-  const DataPlan plan = wanted_data(find_file("scenes", command.file, "data set"));
-  PictureWork work(plan, command.file);
+  const DataPlan plan = wanted_data(find_file("scenes", command.file, "data set"), command.behind);
+  PictureWork work(plan, words_of(command));
   return made_in_folder(work, {.record = record_of(plan), .only = share_of(command, plan)}, command.run);
 }
 
@@ -51,6 +62,14 @@ DeclaredCommand data_command(CLI::App& app) {
       ->required();
   command->add_option("--picture", options->picture, "Make the picture of this number alone")
       ->check(whole_between(0, max_data_pictures - 1));
+  command
+      ->add_option("--background", options->behind.pictures,
+                   "A .png to stand behind, or a folder of these, in place of those that the file names")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--environment", options->behind.environments,
+                   "The same with pictures of all directions, twice as wide as high, which light the things, too")
+      ->allow_extra_args(false);
   add_run_options(*command, options->run);
   return {command, [options] { return make_data(*options); }};
 }

@@ -137,7 +137,7 @@ std::string drawn_png(const PictureTools& tools, std::int64_t number, const Draw
 Json told(const PictureTools& tools, std::int64_t number, const DrawnPicture& drawn) {
   const DataDescription& data = tools.plan.data;
   constexpr double degrees = 57.29577951308232;
-  Json json = {{"command", "pomona data " + tools.file + " --picture " + std::to_string(number) + " -o again"},
+  Json json = {{"command", "pomona data " + tools.words + " --picture " + std::to_string(number) + " -o again"},
                {"style", drawn.style},
                {"arrangement", drawn.arrangement == DataArrangement::rows ? "rows" : "heap"},
                {"azimuth", degrees * drawn.azimuth},

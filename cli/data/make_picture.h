@@ -22,7 +22,7 @@ struct PictureTools {
   const DataPlan& plan;
   std::map<std::string, Style> styles;  ///< by the names in the file
   std::string program;                  ///< "pomona 0.6.0"
-  std::string file;                     ///< the set's file, for commands
+  std::string words;                    ///< of the set, for commands: its file and what stands behind
   Draw draw;
 };
 

@@ -23,12 +23,12 @@ Image SharedPainter::drawn(const Scene& scene, const Style& style, const Picture
   return with_ink(std::move(picture), scene_strokes(scene, style, strokes), options.threads);
 }
 
-PictureWork::PictureWork(const DataPlan& plan, const std::string& file)
+PictureWork::PictureWork(const DataPlan& plan, const std::string& words)
     : plan_(plan),
       tools_{plan,
              {},
              std::string("pomona ") + version,
-             std::filesystem::path(file).filename().string(),
+             words,
              [this](const Scene& scene, const Style& style, const PictureOptions& options) {
                return painter_.drawn(scene, style, options);
              }},

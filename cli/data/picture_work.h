@@ -24,8 +24,9 @@ class SharedPainter {
 
 class PictureWork : public ItemWork {
  public:
-  /// \param file how the user named the set's file. \throws Error (helper_missing) if there is no OpenGL
-  PictureWork(const DataPlan& plan, const std::string& file);
+  /// \param words of the set in commands that make its pictures again: "set.toml". \throws Error (helper_missing) if
+  /// there is no OpenGL
+  PictureWork(const DataPlan& plan, const std::string& words);
 
   std::vector<RecordedEntry> entries() const override;
   std::string recipe(std::size_t entry, std::int64_t number) const override;

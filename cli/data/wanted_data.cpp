@@ -36,9 +36,9 @@ void check_environments(const DataGround& ground) {
 
 }  // namespace
 
-DataPlan wanted_data(const std::filesystem::path& file) {
+DataPlan wanted_data(const std::filesystem::path& file, const BackgroundPaths& behind) {
   check_kind(file, FileKind::data);
-  DataPlan plan = planned(read_data(file), {.find = find_template, .all = all_templates});
+  DataPlan plan = planned(with_backgrounds(read_data(file), behind), {.find = find_template, .all = all_templates});
   for (std::size_t i = 0; i < plan.data.style_places.size(); ++i)
     check_style(plan.data.styles[i], plan.data.style_places[i]);
   check_environments(plan.data.ground);

@@ -8,13 +8,6 @@ namespace pomona {
 
 namespace {
 
-/// What a character's bytes stand for; of one of two or three bytes.
-unsigned code_of(std::string_view character) {
-  unsigned code = static_cast<unsigned char>(character[0]) & (character.size() == 2 ? 0x1fu : 0x0fu);
-  for (const char byte : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(byte) & 0x3fu);
-  return code;
-}
-
 /// Marks of direction (U+061C, U+200E, ..., U+2069), and the line and paragraph separators.
 bool turns_or_breaks(unsigned code) {
   return code == 0x061c || code == 0x200e || code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
@@ -36,7 +29,7 @@ std::string printable(std::string_view text) {
     text.remove_prefix(character.size());
     const auto byte = static_cast<unsigned char>(character[0]);
     const bool is_several = character.size() == 2 || character.size() == 3;
-    const unsigned code = is_several ? code_of(character) : byte;
+    const unsigned code = is_several ? utf8_code(character) : byte;
     const bool is_whole = character.size() > 1 || byte < 0x80;
     if (is_several && turns_or_breaks(code)) {
       shown += "\\u" + in_hex(code, 4);

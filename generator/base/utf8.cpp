@@ -21,6 +21,13 @@ std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
+std::uint32_t utf8_code(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  std::uint32_t code = character.size() == 1 ? first : first & (0xffu >> (character.size() + 1));
+  for (const char byte : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(byte) & 0x3fu);
+  return code;
+}
+
 std::string as_utf8(std::string_view text) {
   std::string result;
   while (!text.empty()) {

@@ -108,6 +108,20 @@ std::string laws_of(std::string_view toml, const std::string& file) {
   return json_text(laws);
 }
 
+/// A picture, or all those in a folder, by name.
+std::vector<fs::path> pictures_at(const fs::path& path) {
+  std::error_code failed;
+  std::vector<fs::path> found;
+  if (fs::is_directory(path, failed)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(path, failed))
+      if (small_ending(entry.path()) == ".png") found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+  } else if (fs::is_regular_file(path, failed) && small_ending(path) == ".png") {
+    found.push_back(path);
+  }
+  return found;
+}
+
 class DataReader {
  public:
   DataReader(std::string_view toml, const std::string& file)
@@ -235,20 +249,10 @@ class DataReader {
       table.get("transparent").error("and pictures behind exclude each other", "keep one of them");
   }
 
-  /// A picture, or all those in a folder.
   void add_pictures(const TomlValue& value, bool are_environments) {
     const std::string text = value.text();
     if (text.empty()) return;
-    const fs::path path = folder_ / text;
-    std::error_code failed;
-    std::vector<fs::path> found;
-    if (fs::is_directory(path, failed)) {
-      for (const fs::directory_entry& entry : fs::directory_iterator(path, failed))
-        if (small_ending(entry.path()) == ".png") found.push_back(entry.path());
-      std::sort(found.begin(), found.end());
-    } else if (fs::is_regular_file(path, failed) && small_ending(path) == ".png") {
-      found.push_back(path);
-    }
+    const std::vector<fs::path> found = pictures_at(folder_ / text);
     if (found.empty()) value.error("names no picture", "name a .png, or a folder of these, from the file's folder");
     for (const fs::path& file : found) data_.ground.pictures.push_back({file, are_environments});
   }
@@ -305,6 +309,30 @@ class DataReader {
 DataDescription parse_data(std::string_view toml, const std::string& file) { return DataReader(toml, file).read(); }
 
 DataDescription read_data(const fs::path& file) { return parse_data(read_toml_text(file), file.string()); }
+
+DataDescription with_backgrounds(DataDescription data, const BackgroundPaths& paths) {
+  if (paths.pictures.empty() && paths.environments.empty()) return data;
+  if (data.ground.transparent)
+    throw Error(ExitStatus::usage, data.file + ": wants a transparent ground, which takes no --background");
+  nlohmann::ordered_json laws = nlohmann::ordered_json::parse(data.laws);
+  if (!laws.contains("ground")) laws["ground"] = nlohmann::ordered_json::object();
+  data.ground.pictures.clear();
+  for (const bool are_environments : {false, true}) {
+    const char* key = are_environments ? "environment" : "picture";
+    laws["ground"].erase(key);
+    for (const std::string& path : are_environments ? paths.environments : paths.pictures) {
+      const std::vector<fs::path> found = pictures_at(path);
+      if (found.empty())
+        throw Error(ExitStatus::input_missing, path + ": is no picture", "name a .png, or a folder of these");
+      for (const fs::path& file : found) {
+        data.ground.pictures.push_back({file, are_environments});
+        laws["ground"][key].push_back(file.filename().string());
+      }
+    }
+  }
+  data.laws = json_text(laws);
+  return data;
+}
 
 bool is_data_file(const fs::path& file) { return has_toml_heading(file, {"[data]"}); }
 

@@ -132,6 +132,15 @@ DataDescription parse_data(std::string_view toml, const std::string& file);
 /// \throws Error (input_missing) if it cannot be read.
 DataDescription read_data(const std::filesystem::path& file);
 
+/// Pictures to stand behind: each path is a .png, or a folder of these.
+struct BackgroundPaths {
+  std::vector<std::string> pictures, environments;
+};
+
+/// The data with these pictures behind in place of those that its file names, and with laws that say so. None keeps it.
+/// \throws Error (input_missing) for a path without a picture, (usage) if the file wants a transparent ground
+DataDescription with_backgrounds(DataDescription data, const BackgroundPaths& paths);
+
 /// True for a .toml file with a table [data].
 bool is_data_file(const std::filesystem::path& file);
 

@@ -68,6 +68,91 @@ double median_luminance(const std::vector<SkyPlace>& sky) {
   return 0;
 }
 
+/// What a sky gives to a table beneath it.
+struct SkyLight {
+  glm::dvec3 lamp{0};         ///< towards the lamp, as long as what comes from there: luminance times solid angle
+  double lamp_sum = 0;        ///< the same if it all came from one direction
+  double from_all_sides = 0;  ///< on the table, of what is no lamp: luminance times solid angle
+  double on_table = 0;        ///< on the table, of all
+  glm::dvec3 color{0};        ///< the same by channels
+};
+
+/// The lamp is what is more than twice as bright as half of the sky.
+SkyLight sky_light(const std::vector<SkyPlace>& sky) {
+  const double bright = std::max(2 * median_luminance(sky), 1e-4);
+  SkyLight light;
+  for (const SkyPlace& place : sky) {
+    const double beyond = std::max(0.0, place.luminance - bright);
+    light.lamp += beyond * place.solid_angle * place.direction;
+    light.lamp_sum += beyond * place.solid_angle;
+    const double received = place.solid_angle * place.direction.y;
+    light.from_all_sides += (place.luminance - beyond) * received;
+    light.on_table += place.luminance * received;
+    light.color += received * glm::dvec3(place.color);
+  }
+  return light;
+}
+
+/// With the lamp where the sky's is, and as wide; a sky without one is a lamp of its own.
+EnvironmentLight with_lamp(EnvironmentLight light, const SkyLight& sky) {
+  if (!(sky.lamp_sum > 0)) {
+    light.elevation = pi / 2;
+    light.softness = 1;
+    return light;
+  }
+  const double directed = glm::length(sky.lamp);
+  const glm::dvec3 towards = sky.lamp / directed;
+  light.azimuth = reproducible::atan2(towards.x, towards.z);
+  light.elevation =
+      std::max(reproducible::atan2(towards.y, std::sqrt(std::max(0.0, 1 - towards.y * towards.y))), 5 * pi / 180);
+  light.softness = std::clamp(0.05 + 2 * (1 - directed / sky.lamp_sum), 0.0, 1.0);
+  return light;
+}
+
+/// Facing the lamp, as much from it as the sky says beside the light from all sides; both together as usual.
+EnvironmentLight with_shares(EnvironmentLight light, const SkyLight& sky) {
+  const double ratio = sky.from_all_sides > 0 ? glm::length(sky.lamp) / sky.from_all_sides : 0;
+  const double all = usual_lamp + usual_ambient, lamp_share = ratio / (1 + ratio);
+  light.strength = all * lamp_share / usual_lamp;
+  light.ambient = all * (1 - lamp_share) / usual_ambient;
+  return light;
+}
+
+/// The direction in which a camera sees the middle of a pixel. \param half tangent of half the vertical field
+glm::dvec3 direction_seen(const CameraAxes& camera, double half, const glm::ivec2& pixel, const glm::ivec2& size) {
+  const double across = half * (2 * (pixel.x + 0.5) - size.x) / size.y;
+  const double upwards = half * (size.y - 2 * (pixel.y + 0.5)) / size.y;
+  return glm::normalize(across * camera.right + upwards * camera.up - camera.back);
+}
+
+/// Colours of an environment in between its pixels.
+class Surroundings {
+ public:
+  explicit Surroundings(const Image& picture)
+      : width_(picture.width), height_(picture.height), pixels_(linear_pixels(picture)) {}
+
+  Color towards(const glm::dvec3& d) const {
+    const double azimuth = reproducible::atan2(d.x, d.z);
+    const double elevation = reproducible::atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z));
+    const double u = -azimuth / (2 * pi) * width_ - 0.5;
+    const double v = (pi / 2 - elevation) / pi * height_ - 0.5;
+    const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
+    const double s = u - left, t = v - top;
+    return Color((pixel(left, top) * (1 - s) + pixel(left + 1, top) * s) * (1 - t) +
+                 (pixel(left, top + 1) * (1 - s) + pixel(left + 1, top + 1) * s) * t);
+  }
+
+ private:
+  /// Columns go around, rows end at the poles.
+  glm::dvec3 pixel(int x, int y) const {
+    const int around = ((x % width_) + width_) % width_;
+    return glm::dvec3(pixels_[static_cast<std::size_t>(std::clamp(y, 0, height_ - 1)) * width_ + around]);
+  }
+
+  int width_, height_;
+  std::vector<Color> pixels_;
+};
+
 }  // namespace
 
 void check_environment(const Image& picture, const std::string& name) {
@@ -77,66 +162,20 @@ void check_environment(const Image& picture, const std::string& name) {
 }
 
 EnvironmentLight light_of(const Image& picture) {
-  const std::vector<SkyPlace> sky = sky_of(picture);
-
-  // The lamp is what is more than twice as bright as half of the sky.
-  const double bright = std::max(2 * median_luminance(sky), 1e-4);
-  glm::dvec3 lamp(0), color(0);
-  double lamp_sum = 0, from_all_sides = 0, on_table = 0;
-  for (const SkyPlace& place : sky) {
-    const double beyond = std::max(0.0, place.luminance - bright);
-    lamp += beyond * place.solid_angle * place.direction;
-    lamp_sum += beyond * place.solid_angle;
-    const double received = place.solid_angle * place.direction.y;
-    from_all_sides += (place.luminance - beyond) * received;
-    on_table += place.luminance * received;
-    color += received * glm::dvec3(place.color);
-  }
-  const double directed = glm::length(lamp);
+  const SkyLight sky = sky_light(sky_of(picture));
   EnvironmentLight light;
-  if (on_table > 0) light.tint = Color(color / on_table);
-  if (lamp_sum > 0) {
-    const glm::dvec3 towards = lamp / directed;
-    light.azimuth = reproducible::atan2(towards.x, towards.z);
-    light.elevation =
-        std::max(reproducible::atan2(towards.y, std::sqrt(std::max(0.0, 1 - towards.y * towards.y))), 5 * pi / 180);
-    light.softness = std::clamp(0.05 + 2 * (1 - directed / lamp_sum), 0.0, 1.0);
-  } else {
-    light.elevation = pi / 2;
-    light.softness = 1;
-  }
-
-  // Facing the lamp, as much from it as the picture says beside the light from all sides; both together as usual.
-  const double ratio = from_all_sides > 0 ? directed / from_all_sides : 0;
-  const double all = usual_lamp + usual_ambient, lamp_share = ratio / (1 + ratio);
-  light.strength = all * lamp_share / usual_lamp;
-  light.ambient = all * (1 - lamp_share) / usual_ambient;
-  return light;
+  if (sky.on_table > 0) light.tint = Color(sky.color / sky.on_table);
+  return with_shares(with_lamp(light, sky), sky);
 }
 
 Image seen_around(const Image& picture, const CameraAxes& camera, double vertical_field, int width, int height) {
   const double half = reproducible::sin(0.5 * vertical_field) / reproducible::cos(0.5 * vertical_field);
-  const std::vector<Color> pixels = linear_pixels(picture);
-  const auto pixel = [&](int x, int y) {
-    const int around = ((x % picture.width) + picture.width) % picture.width;
-    return glm::dvec3(pixels[static_cast<std::size_t>(std::clamp(y, 0, picture.height - 1)) * picture.width + around]);
-  };
+  const Surroundings around(picture);
   std::vector<Color> seen;
   seen.reserve(static_cast<std::size_t>(width) * height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const double across = half * (2 * (x + 0.5) - width) / height, upwards = half * (height - 2 * (y + 0.5)) / height;
-      const glm::dvec3 d = glm::normalize(across * camera.right + upwards * camera.up - camera.back);
-      const double azimuth = reproducible::atan2(d.x, d.z);
-      const double elevation = reproducible::atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z));
-      const double u = -azimuth / (2 * pi) * picture.width - 0.5;
-      const double v = (pi / 2 - elevation) / pi * picture.height - 0.5;
-      const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
-      const double s = u - left, t = v - top;
-      seen.emplace_back((pixel(left, top) * (1 - s) + pixel(left + 1, top) * s) * (1 - t) +
-                        (pixel(left, top + 1) * (1 - s) + pixel(left + 1, top + 1) * s) * t);
-    }
-  }
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      seen.push_back(around.towards(direction_seen(camera, half, {x, y}, {width, height})));
   return image_of(seen, width, height);
 }
 

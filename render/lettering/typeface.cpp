@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/base/error.h"
+#include "generator/base/utf8.h"
 #include "render/lettering/letter_files.h"
 
 namespace pomona {
@@ -81,19 +82,10 @@ Outline read_outline(Words& words, double units) {
 /// The characters of UTF-8; what is none becomes U+FFFD.
 std::vector<std::uint32_t> characters_of(std::string_view text) {
   std::vector<std::uint32_t> characters;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto first = static_cast<unsigned char>(text[i]);
-    const std::size_t length = first < 0x80 ? 1 : first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : first >= 0xc0 ? 2 : 0;
-    if (length == 0 || i + length > text.size()) {
-      characters.push_back(0xfffd);
-      ++i;
-      continue;
-    }
-    std::uint32_t character = length == 1 ? first : first & (0xffu >> (length + 1));
-    for (std::size_t k = 1; k < length; ++k)
-      character = character << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3f);
-    characters.push_back(character);
-    i += length;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    characters.push_back(length == 0 ? 0xfffd : utf8_code(text.substr(0, length)));
+    text.remove_prefix(length == 0 ? 1 : length);
   }
   return characters;
 }

@@ -8,6 +8,7 @@ meshes and cameras; what is told of bad input.
 import hashlib
 import json
 import pathlib
+import shlex
 import shutil
 import struct
 import subprocess
@@ -275,6 +276,30 @@ class Looks(Sandbox):
             ground = [color for color, piece in both if piece == 0]
             self.assertGreater(sum(max(abs(a - b) for a, b in zip(p, color)) <= 2 for p in ground), 0.25 * len(ground))
             self.assertLess(sum(p[1] > color[1] + 3 for p in ground), 0.02 * len(ground) + 40)
+
+    def test_before_pictures_of_the_command(self):
+        (self.path / "my pictures").mkdir()
+        (self.path / "my pictures/green.png").write_bytes(png_bytes(50, 50, (40, 160, 90)))
+        self.prepare(self.path, self.LOOK)
+        of_file = self.LOOK + '[ground]\npicture = "my pictures"\n'
+        self.run_data("--quiet", "--background", "my pictures")
+        told = json.loads((self.path / "out/pictures/001/annotations.json").read_text())["images"][0]
+        self.assertEqual(told["background"], "green.png")
+        # The picture's own command makes it again, and so does a file that names the folder.
+        words = shlex.split(told["command"])
+        self.assertEqual(words[:5], ["pomona", "data", "small.toml", "--background", "my pictures"])
+        self.run_pomona(*words[1:], "--quiet")
+        (self.path / "named.toml").write_text(of_file)
+        self.run_pomona("data", "named.toml", "-o", "named", "--quiet")
+        for folder in ("out", "named"):
+            self.assertEqual((self.path / folder / "pictures/001/picture.png").read_bytes(),
+                             (self.path / "again/pictures/001/picture.png").read_bytes())
+        # A folder of other pictures is another set.
+        self.run_data("--quiet", "--resume", status=73)
+        other = ["data", "small.toml", "-o", "other", "--background"]
+        self.assertIn("nowhere: is no picture", self.run_pomona(*other, "nowhere", status=66).stderr)
+        self.prepare(self.path, self.LOOK + "[ground]\ntransparent = true\n")
+        self.run_pomona(*other, "my pictures", status=64)
 
     def test_in_an_environment(self):
         # A lamp to the right of a viewer from +Z, over black ground: the same set is lit by it wherever the camera is.
