@@ -3,12 +3,14 @@
 
 // Every solid's details, four of its cut faces and four of its skin (render/gl/detail_texels.h): kind, run, amount,
 // whether it has a colour; size, length, width, density; softness, wander, variety, near_within or 0; OKLab target,
-// smallest; OKLab near, pitch; threshold, ramp, mean share, mean tone; reach, middle, seed, relief.
+// smallest; OKLab near, pitch; threshold, ramp, mean share, mean tone; reach, middle, seed, relief. Examples have
+// instead: size, length, the tile's side, its first texel; highest colour, near_within or 0; mean colour, aside.x; OKLab
+// near, aside.y; lowest colour, aside.z. Tiles follow, level after level: linear colour, share.
 uniform samplerBuffer detail_styles;
 const int detail_texels = 7;
 const int details_of_a_face = 4;
 
-const int no_detail = -1, fibres = 0, cells = 1, speckles = 2, streaks = 3, net = 4;
+const int no_detail = -1, fibres = 0, cells = 1, speckles = 2, streaks = 3, net = 4, example = 5;
 const int runs_nowhere = 0, runs_to_skin = 1, runs_along = 2, runs_around = 3;
 
 uint lattice_hash(ivec3 cell, uint seed) {
@@ -117,8 +119,59 @@ vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
   return vec2(1.0 - risen, -form.z * risen * (1.0 - smoothstep(rim + soft, rim + 3.0 * soft, border)));
 }
 
+#ifdef EXAMPLES
+// A tile's colour and share at a place, periodic in whole numbers, trilinear (render/style/example.cpp).
+vec4 level_color(vec3 place, int side, int first) {
+  vec3 texel = fract(place) * float(side) - 0.5, low = floor(texel), t = texel - low;
+  ivec3 n = (ivec3(low) + side) % side;
+  vec4 sum = vec4(0.0);
+  int i = 0;
+  do {
+    ivec3 beside = ivec3(i & 1, (i >> 1) & 1, i >> 2), at = (n + beside) % side;
+    vec3 weight = mix(1.0 - t, t, vec3(beside));
+    int number = first + (at.z * side + at.y) * side + at.x;
+    sum += weight.x * weight.y * weight.z * texelFetch(detail_styles, number);
+  } while (++i < 8);
+  return sum;
+}
+
+// What an example shows at a place of the fruit.
+vec4 example_color(int detail, vec3 position, float footprint, vec4 way_layer) {
+  vec4 sizes = texelFetch(detail_styles, detail + 1);
+  vec4 place = pattern_place(int(texelFetch(detail_styles, detail).y), sizes, texelFetch(detail_styles, detail + 6).xy,
+                             position, way_layer);
+  vec3 aside = vec3(texelFetch(detail_styles, detail + 3).w, texelFetch(detail_styles, detail + 4).w,
+                    texelFetch(detail_styles, detail + 5).w);
+  vec3 q = place.xyz * mat3(0.68575450, -0.49219656, 0.53617471, 0.72195463, 0.36655826, -0.58687014, 0.09231620,
+                            0.78954265, 0.60671256) + aside;
+  float texels = footprint * place.w / sizes.x * sizes.z;
+  int side = int(sizes.z), first = int(sizes.w);
+  while (texels >= 2.0 && side > 1) {
+    first += side * side * side;
+    side = (side & 1) == 0 ? side / 2 : 1;
+    texels *= 0.5;
+  }
+  vec4 color = level_color(q, side, first);
+  float coarser = side > 1 ? clamp(texels - 1.0, 0.0, 1.0) : 0.0;
+  int next = (side & 1) == 0 ? side / 2 : 1;
+  return coarser > 0.0 ? mix(color, level_color(q, next, first + side * side * side), coarser) : color;
+}
+
+// A colour with what an example shows, which leaves the mean and clips nothing.
+vec3 with_example(int detail, vec3 color, vec3 shown, float weight) {
+  vec3 mean = texelFetch(detail_styles, detail + 3).xyz;
+  vec3 below = weight * (mean - texelFetch(detail_styles, detail + 5).xyz);
+  vec3 above = weight * (texelFetch(detail_styles, detail + 2).xyz - mean);
+  vec3 room = min(vec3(1.0), min(max(color, 0.0) / max(below, 1e-6), max(1.0 - color, 0.0) / max(above, 1e-6)));
+  return color + room * weight * (shown - mean);
+}
+#endif
+
 // A detail's pattern at a place of the fruit, faded if it is too fine for the picture. `kind`: the detail's.
 vec2 shown_pattern(int detail, int kind, vec3 position, float footprint, vec4 way_layer) {
+#ifdef EXAMPLES
+  if (kind == example) return vec2(example_color(detail, position, footprint, way_layer).a, 0.0);
+#endif
   vec4 sizes = texelFetch(detail_styles, detail + 1);
   vec4 place = pattern_place(int(texelFetch(detail_styles, detail).y), sizes, texelFetch(detail_styles, detail + 6).xy,
                              position, way_layer);
@@ -134,6 +187,24 @@ vec4 guide_beside(vec4 way_layer, vec3 step_away) {
   float nearer = dot(step_away, way_layer.xyz) / way;
   return vec4(way_layer.xyz * (1.0 - nearer / way), way_layer.w - nearer);
 }
+
+#ifdef EXAMPLES
+// A modulated colour with a solid's examples (the mirror of Look::with_examples in render/style/look.cpp).
+vec3 with_examples(vec3 color, vec3 plain, vec3 position, float footprint, int of_face, vec4 way_layer, vec4 share) {
+  int i = 0;
+  do {
+    int detail = of_face + detail_texels * i;
+    vec4 head = texelFetch(detail_styles, detail);
+    float within = texelFetch(detail_styles, detail + 2).w;
+    vec3 d = plain - texelFetch(detail_styles, detail + 4).xyz;
+    float weight = head.z * share[i] * (within > 0.0 ? exp(-dot(d, d) / (2.0 * within * within)) : 1.0);
+    if (int(head.x) == example && weight >= 1e-3) {
+      color = with_example(detail, color, example_color(detail, position, footprint, way_layer).rgb, weight);
+    }
+  } while (++i < details_of_a_face);
+  return color;
+}
+#endif
 
 struct Detailed {
   vec3 color, normal;
@@ -152,6 +223,10 @@ Detailed detailed(vec3 color, vec3 normal, vec3 unmodulated, mat3 to_fruit, vec3
   bool changed = false, risen = false;
 
   int of_face = detail_texels * details_of_a_face * (2 * solid + (cut ? 0 : 1)), i = 0;
+#ifdef EXAMPLES
+  color = with_examples(color, plain, position, footprint, of_face, way_layer, share);
+  lab = to_oklab(color);
+#endif
   do {
     int detail = of_face + detail_texels * i;
     vec4 head = texelFetch(detail_styles, detail);
@@ -162,6 +237,9 @@ Detailed detailed(vec3 color, vec3 normal, vec3 unmodulated, mat3 to_fruit, vec3
     risen = risen || relief != 0.0;
     relief *= likeness;
     weight *= likeness;
+#ifdef EXAMPLES
+    if (int(head.x) == example) weight = 0.0;
+#endif
 
     int places = relief != 0.0 ? 3 : 1, k = 0;
     do {

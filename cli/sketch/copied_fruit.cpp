@@ -1,5 +1,6 @@
 #include "cli/sketch/copied_fruit.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 
@@ -54,6 +55,12 @@ StartingSketch copied_fruit(const fs::path& original, const std::string& name) {
       constexpr std::size_t max = std::size_t{64} << 20;
       copy.svg = file_bytes(original.parent_path() / in_quotes(line), max);
       line = "sketch = \"" + name + ".svg\"";
+    }
+    if (gives(line, "example")) {
+      const fs::path picture = original.parent_path() / in_quotes(line);
+      if (std::find(copy.examples.begin(), copy.examples.end(), picture) == copy.examples.end())
+        copy.examples.push_back(picture);
+      line = "example = \"" + picture.filename().string() + "\"";
     }
     copy.toml += line + "\n";
     if (is_schema) copy.toml += "# Begun as a copy of " + fruit.name + ".\n";

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@
 #include "cli/options/find_template.h"
 #include "cli/options/program_folders.h"
 #include "cli/sketch/copied_fruit.h"
+#include "cli/sketch/copy_beside.h"
 #include "cli/sketch/new_fruit.h"
 #include "cli/sketch/sample_colors.h"
+#include "generator/base/file_bytes.h"
 #include "generator/template/read/read_template.h"
 #include "render/export/output.h"
 
@@ -77,6 +80,12 @@ ExitStatus start(const SketchCommand& command) {
   BegunFruit made = command.like.empty() ? begun(toml, command.fruit)
                                          : BegunFruit{copied_fruit(find_template(command.like), fruit_name(toml)), {}};
   std::vector<OutputFile> files = std::move(made.pictures);
+  for (const fs::path& example : made.texts.examples) {
+    constexpr std::size_t max = std::size_t{1} << 20;  // as of a template's examples
+    if (auto copy = copy_beside(toml.parent_path() / example.filename(), file_bytes(example, max), example.string(),
+                                "rename one of the two: examples are copied beside the template"))
+      files.push_back(std::move(*copy));
+  }
   for (const OutputFile& copy : files) say(command, "copied " + copy.path.string());
   const bool is_drawn = !made.texts.svg.empty();
   if (is_drawn) files.push_back({svg, std::move(made.texts.svg)});

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -23,8 +24,9 @@ struct StartingSketchOptions {
 };
 
 struct StartingSketch {
-  std::string svg;   ///< text of NAME.svg
-  std::string toml;  ///< text of NAME.toml beside it
+  std::string svg;                                   ///< text of NAME.svg
+  std::string toml;                                  ///< text of NAME.toml beside it
+  std::vector<std::filesystem::path> examples = {};  ///< pictures to lie beside it under their own names
 };
 
 /// Curves of an example fruit, 60 mm wide, that can be checked, grown and cut at once.

@@ -1,13 +1,16 @@
-// Texture detail that follows a fruit's surfaces: fibres, cells, speckles, streaks, nets (paper, section 6).
+// Texture detail that follows a fruit's surfaces: fibres, cells, speckles, streaks, nets, or by example (paper, section
+// 6).
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "generator/base/color.h"
+#include "generator/template/example_tile.h"
 #include "generator/template/ramp.h"
 
 namespace pomona {
@@ -19,6 +22,7 @@ enum class DetailKind {
   speckles,  ///< dots
   streaks,   ///< long, uneven brush marks
   net,       ///< lines that stand out where cells meet
+  example,   ///< what a picture of some flesh shows
 };
 
 /// The direction of the fruit along which a detail is stretched.
@@ -38,7 +42,7 @@ struct DetailSketch {
   DetailRun run = DetailRun::none;
   std::vector<int> parts;  ///< indices into Template::parts
 
-  double size = 1e-3;      ///< distance of lines, distance of cells, or width of the largest dot, metres
+  double size = 1e-3;      ///< distance of lines or cells, width of the largest dot, or of the example's tile, metres
   double smallest = 1e-3;  ///< width of the smallest dot, metres
   double length = 1e-3;    ///< length along the run, metres; equal to `size` without a run
   double width = 0.3;      ///< width of lines, as a share of `size`
@@ -47,12 +51,14 @@ struct DetailSketch {
   double wander = 0;       ///< deviation of lines from straight ones, as a share of `size`
   double variety = 0.5;    ///< difference between cells, as a share of `amount`
 
-  double amount = 0;           ///< change of colours: with `color`, a share of the way to it; else in OKLab units
+  double amount = 0;           ///< change of colours: with `color`, a share of the way to it; of examples, a share of
+                               ///< their contrast; else in OKLab units
   std::optional<Color> color;  ///< colours change towards this one; nothing = along `axis`
   glm::vec3 axis{1, 0, 0};     ///< direction of the change in OKLab, without `color`
   std::optional<Color> near;   ///< the detail only affects colours near this unmodulated one; nothing = all
   double near_within = 0.12;   ///< OKLab distance over which the effect fades
   Ramp<double> depth = Ramp<double>::constant(1);  ///< share of the amount by the depth below the skin, metres
+  std::shared_ptr<const ExampleTile> tile;         ///< of an example; else null
   double relief = 0;  ///< height of the marks, metres, negative = below the surface; only for shading
 
   double reach = 0.03;   ///< metres: the fruit's largest drawn radius

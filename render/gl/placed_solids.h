@@ -23,6 +23,8 @@ class PlacedSolids {
   /// Per solid (shaders/detail.glsl); empty if no solid has guides.
   const GlTexture* detail_styles() const { return uploaded_.guides ? &uploaded_.guides->styles.texture() : nullptr; }
 
+  bool any_example() const { return uploaded_.guides && uploaded_.guides->any_example; }
+
   /// Their lattices (shaders/guide_lattice.glsl); likewise.
   const GlTexture* guide_lattices() const { return uploaded_.guides ? &uploaded_.guides->lattices.texture() : nullptr; }
 

@@ -118,7 +118,10 @@ class ScenePainter {
   float juice() const;
 
   /// The definition with which programs for texture detail are compiled.
-  const char* detailed() const { return solids_.detail_styles() ? "DETAILED" : ""; }
+  const char* detailed() const {
+    if (!solids_.detail_styles()) return "";
+    return solids_.any_example() ? "DETAILED\n#define EXAMPLES" : "DETAILED";
+  }
 
   void fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum depth_test = GL_ALWAYS);
   void set_camera(const Program& program, const Surfaces& surfaces) const;

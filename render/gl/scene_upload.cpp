@@ -126,18 +126,18 @@ std::vector<glm::vec4> pit_texels(const std::vector<std::vector<glm::vec4>>& gri
 std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const Scene& scene, const Style& style) {
   const auto guided = [](const Solid& solid) { return !solid.mesh.guide.empty(); };
   if (!style.noise || std::none_of(scene.solids.begin(), scene.solids.end(), guided)) return {};
-  std::vector<glm::vec4> share, styles;
-  Look look;  // look of the previous solid, because pieces of one fruit have the same patterns
+  std::vector<glm::vec4> share;
+  std::vector<Look> looks;  // each like the one before, because pieces of one fruit have the same patterns
   for (const Solid& solid : scene.solids) {
     for (std::size_t v = 0; v < solid.mesh.position.size(); ++v)
       share.push_back(solid.mesh.guide.empty() ? glm::vec4(0) : solid.mesh.guide[v].share);
-    look = Look(NoiseStyle{}, solid.look->details, &look);
-    const std::vector<glm::vec4> texels = detail_texels(look);
-    styles.insert(styles.end(), texels.begin(), texels.end());
+    looks.emplace_back(NoiseStyle{}, solid.look->details, looks.empty() ? nullptr : &looks.back());
   }
+  const DetailTexels details = detail_texels(looks);
   return UploadedSolids::Guides{.share = GlBuffer(gl, GL_ARRAY_BUFFER, share),
-                                .styles = GlTable(gl, GL_RGBA32F, styles, "details"),
-                                .lattices = GlTable(gl, GL_RGBA32F, lattice_texels(scene.solids), "guides")};
+                                .styles = GlTable(gl, GL_RGBA32F, all_texels(details), "details"),
+                                .lattices = GlTable(gl, GL_RGBA32F, lattice_texels(scene.solids), "guides"),
+                                .any_example = !details.tiles.empty()};
 }
 
 }  // namespace

@@ -33,8 +33,9 @@ struct UploadedSolids {
   /// Guides of texture detail, if any solid has them.
   struct Guides {
     GlBuffer share;    ///< per vertex
-    GlTable styles;    ///< per solid (shaders/detail.glsl)
+    GlTable styles;    ///< per solid, and the tiles of examples (shaders/detail.glsl)
     GlTable lattices;  ///< per solid, and the lattices themselves (shaders/guide_lattice.glsl)
+    bool any_example = false;
   };
   std::optional<Guides> guides;
 };

@@ -3,41 +3,30 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <string_view>
 #include <vector>
 
 #include <png.h>
 #include <glm/vec4.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/png_rows.h"
 #include "render/image/deep_image.h"
 
 namespace pomona {
 
 namespace {
 
-constexpr double max_pixels = 1e8;  // limit of pixels of a picture that is read
-
-/// The file, for messages.
-struct PngName {
-  std::string file;
-  std::size_t bytes = 0;  ///< size of a file that is read
-  std::string_view rest;  ///< bytes that have not been read yet
-};
-
-// libpng's own way out of errors is longjmp; an exception thrown from its callback unwinds this side only, so the
-// structures are owned by destructors here.
-[[noreturn]] void fail(png_structp png, png_const_charp message) {
-  const auto* name = static_cast<const PngName*>(png_get_error_ptr(png));
-  const std::string element = "byte " + std::to_string(name->bytes - name->rest.size());
-  throw Error(ExitStatus::bad_data, {{{name->file, 0, 0, element}, std::string("not a readable PNG: ") + message, ""}});
+/// libpng's own way out of errors is longjmp; an exception thrown from its callback unwinds this side only, so the
+/// structures are owned by a destructor here.
+[[noreturn]] void fail(png_structp, png_const_charp message) {
+  throw Error(ExitStatus::io_error,
+              {{{"picture", 0, 0, {}}, std::string("cannot be packed as a PNG: ") + message, ""}});
 }
 
 void ignore(png_structp, png_const_charp) {}
 
 struct Writer {
-  PngName name{"picture", 0, {}};
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
   png_infop info = png_create_info_struct(png);
   Writer() = default;
   Writer(const Writer&) = delete;
@@ -45,33 +34,9 @@ struct Writer {
   ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
-struct PngReader {
-  PngName name;
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-  PngReader(const std::string& bytes, std::string file) : name{std::move(file), bytes.size(), bytes} {
-    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
-    info = png_create_info_struct(png);
-  }
-  PngReader(const PngReader&) = delete;
-  PngReader& operator=(const PngReader&) = delete;
-  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
-};
-
 void append(png_structp png, png_bytep data, png_size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
 }
-
-void take(png_structp png, png_bytep data, png_size_t size) {
-  std::string_view& rest = static_cast<PngName*>(png_get_io_ptr(png))->rest;
-  if (rest.size() < size) png_error(png, "it ends too early");
-  std::memcpy(data, rest.data(), size);
-  rest.remove_prefix(size);
-}
-
-}  // namespace
-
-namespace {
 
 // zlib's strategies: Z_DEFAULT_STRATEGY and Z_RLE.
 constexpr int any_matches = 0, run_lengths = 3;
@@ -148,83 +113,33 @@ std::string write_png(const TransparentImage& image, PngPacking packing, PngValu
 
 namespace {
 
-/// Checks size and kind before memory for pixels is allocated. Deflate shrinks at most 1032 times, so few bytes cannot
-/// hold many pixels.
-void read_head(PngReader& reader) {
-  png_set_read_fn(reader.png, &reader.name, take);
-  png_set_user_limits(reader.png, max_picture_side, max_picture_side);
-  png_read_info(reader.png, reader.info);
-  const auto pixels = static_cast<double>(png_get_image_width(reader.png, reader.info)) *
-                      static_cast<double>(png_get_image_height(reader.png, reader.info));
-  const int bits = png_get_bit_depth(reader.png, reader.info) * png_get_channels(reader.png, reader.info);
-  if (pixels > max_pixels) png_error(reader.png, "it has more than 100 million pixels");
-  if (pixels * bits / 8 > 1040.0 * static_cast<double>(reader.name.bytes))
-    png_error(reader.png, "it claims more pixels than its bytes can hold");
-}
-
-/// Converts any PNG to eight-bit RGBA, or RGB without opacity. The image has its size, but no pixels yet.
-Image start_reading(PngReader& reader, bool with_opacity) {
-  read_head(reader);
-  png_set_expand(reader.png);
-  png_set_strip_16(reader.png);
-  if (with_opacity) {
-    png_set_add_alpha(reader.png, 255, PNG_FILLER_AFTER);
-  } else {
-    png_set_strip_alpha(reader.png);
-  }
-  png_set_gray_to_rgb(reader.png);
-  png_set_interlace_handling(reader.png);
-  png_read_update_info(reader.png, reader.info);
-  return {.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
-          .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
-          .pixels = {}};
-}
-
-/// Rows of `width` elements, one after another in `pixels`.
-void read_rows(PngReader& reader, std::uint8_t* pixels, const Image& image, std::size_t bytes_each) {
-  std::vector<png_bytep> rows;
-  for (int y = 0; y < image.height; ++y) {
-    rows.push_back(pixels + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) * bytes_each);
-  }
-  png_read_image(reader.png, rows.data());
-}
+Image image_of(const PngRows& rows) { return {.width = rows.width, .height = rows.height, .pixels = {}}; }
 
 }  // namespace
 
 Image read_png(const std::string& bytes, const std::string& name) {
-  PngReader reader(bytes, name);
-  Image image = start_reading(reader, false);
-  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
-  read_rows(reader, reinterpret_cast<std::uint8_t*>(image.pixels.data()), image, 3);
+  const PngRows rows = read_png_rows(bytes, name, PngPixels::rgb, {.side = max_picture_side});
+  Image image = image_of(rows);
+  image.pixels.resize(rows.bytes.size() / 3);
+  std::memcpy(image.pixels.data(), rows.bytes.data(), rows.bytes.size());
   return image;
 }
 
 TransparentImage read_transparent_png(const std::string& bytes, const std::string& name) {
-  PngReader reader(bytes, name);
-  TransparentImage result{start_reading(reader, true), {}};
-  std::vector<glm::u8vec4> pixels(static_cast<std::size_t>(result.image.width) * result.image.height);
-  read_rows(reader, reinterpret_cast<std::uint8_t*>(pixels.data()), result.image, 4);
-  for (const glm::u8vec4& pixel : pixels) {
-    result.image.pixels.emplace_back(pixel);
-    result.opacity.push_back(pixel.a);
+  const PngRows rows = read_png_rows(bytes, name, PngPixels::rgba, {.side = max_picture_side});
+  TransparentImage result{image_of(rows), {}};
+  for (std::size_t i = 0; i < rows.bytes.size(); i += 4) {
+    result.image.pixels.emplace_back(rows.bytes[i], rows.bytes[i + 1], rows.bytes[i + 2]);
+    result.opacity.push_back(rows.bytes[i + 3]);
   }
   return result;
 }
 
 DeepImage read_deep_png(const std::string& bytes, const std::string& name) {
-  PngReader reader(bytes, name);
-  read_head(reader);
-  const int channels = png_get_channels(reader.png, reader.info);
-  if (png_get_bit_depth(reader.png, reader.info) != 16 || (channels != 1 && channels != 3))
-    png_error(reader.png, "it is not 16-bit grey or RGB");
-  DeepImage image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
-                  .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
-                  .channels = channels,
-                  .values = {}};
-  std::vector<std::uint8_t> raw(2 * static_cast<std::size_t>(image.width) * image.height * channels);
-  read_rows(reader, raw.data(), {image.width, image.height, {}}, 2 * static_cast<std::size_t>(channels));
-  for (std::size_t i = 0; i < raw.size(); i += 2)
-    image.values.push_back(static_cast<std::uint16_t>(raw[i] << 8 | raw[i + 1]));
+  const PngRows rows = read_png_rows(bytes, name, PngPixels::sixteen, {.side = max_picture_side});
+  DeepImage image{.width = rows.width, .height = rows.height, .channels = rows.channels, .values = {}};
+  for (std::size_t i = 0; i < rows.bytes.size(); i += 2)
+    image.values.push_back(static_cast<std::uint16_t>(rows.bytes[i] << 8 | rows.bytes[i + 1]));
   return image;
 }
 

@@ -31,6 +31,13 @@ struct AssetGuide {
 };
 constexpr int depth_steps = 32;
 
+/// A tile of a detail by example (generator/template/example_tile.h).
+struct AssetTile {
+  int side = 0;
+  std::vector<glm::u8vec3> palette;  ///< sRGB, at most 256
+  std::vector<std::uint8_t> texel;   ///< numbers of the palette, x innermost
+};
+
 /// One fruit. Metres in the fruit's own frame, +Y along the axis.
 struct Asset {
   std::string name, title, latin;
@@ -57,6 +64,7 @@ struct Asset {
 
   // The paint: texels for shaders/noise.glsl, detail.glsl and material.glsl.
   std::vector<glm::vec4> noise, details, materials;  ///< the materials of the parts, one after another
+  std::vector<AssetTile> tiles;                      ///< of examples, as `details` count their texels
   std::vector<glm::u8vec4> skin_share;               ///< per part: weight of each detail of skins, of 255
   std::optional<AssetGuide> guide;
   Color ink{0};          ///< colour of its lines, linear
@@ -74,5 +82,7 @@ constexpr std::size_t max_asset_vertices = 4'000'000;
 constexpr std::size_t max_asset_triangles = 8'000'000;
 constexpr std::size_t max_asset_parts = 64;
 constexpr std::uint32_t max_asset_shells = 65535;
+constexpr std::size_t max_asset_tiles = 8;
+constexpr int max_asset_tile_side = 48;
 
 }  // namespace pomona

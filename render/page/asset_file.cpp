@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -37,8 +38,14 @@ constexpr std::int64_t max_rows = 300'000'000;
 constexpr std::array<int, 3> rounding = {all_thirds, 8, 3};
 constexpr std::size_t large_asset = 1'060'000;
 
+/// The oldest format that says all of it.
+int format_of(const Asset& asset) {
+  if (!asset.tiles.empty()) return 4;
+  return asset.shell.empty() ? 2 : 3;
+}
+
 ordered_json header_of(const Asset& a, int thirds, const std::string& made_by) {
-  ordered_json header = {{"format", a.shell.empty() ? 2 : 3},
+  ordered_json header = {{"format", format_of(a)},
                          {"made_by", made_by},
                          {"name", a.name},
                          {"title", a.title},
@@ -62,6 +69,8 @@ ordered_json header_of(const Asset& a, int thirds, const std::string& made_by) {
     const std::uint16_t count = *std::max_element(a.shell.begin(), a.shell.end());
     header["shells"] = {{"count", count}, {"nearly_as_much", nearly_as_much}};
   }
+  for (const AssetTile& tile : a.tiles)
+    header["tiles"].push_back({{"side", tile.side}, {"colors", tile.palette.size()}});
   if (a.guide) {
     header["guide"] = {
         {"stride", a.guide->stride}, {"unit", a.guide->unit}, {"count", a.guide->count}, {"deepest", a.guide->deepest}};
@@ -96,7 +105,13 @@ std::string arrays_of(const Asset& a, int thirds) {
     for (const glm::u8vec4& share : a.guide->share)
       for (int k = 0; k < 4; ++k) bytes += static_cast<char>(share[k]);
   }
-  return bytes + planes_of(a.shell.size(), 1, 2, [&](std::size_t t) { return a.shell[t]; });
+  bytes += planes_of(a.shell.size(), 1, 2, [&](std::size_t t) { return a.shell[t]; });
+  for (const AssetTile& tile : a.tiles) {
+    for (const glm::u8vec3& color : tile.palette)
+      for (int k = 0; k < 3; ++k) bytes += static_cast<char>(color[k]);
+    bytes.append(tile.texel.begin(), tile.texel.end());
+  }
+  return bytes;
 }
 
 /// Reads an unpacked asset from the front.
@@ -141,10 +156,16 @@ class AssetReader {
   std::string file_;
 };
 
-/// Reads the header, with the counts of the arrays.
+/// Of the header: the counts of the arrays.
+struct TileCounts {
+  int side = 0;
+  std::size_t colors = 0;
+};
+
 struct Counts {
   int thirds = thirds_of_first_format;
   std::size_t vertices = 0, triangles = 0, shells = 0, noise = 0, details = 0, materials = 0, skin_shares = 0;
+  std::vector<TileCounts> tiles;
 };
 
 void check_header(const Asset& asset, const Counts& counts, const AssetReader& reader) {
@@ -157,6 +178,10 @@ void check_header(const Asset& asset, const Counts& counts, const AssetReader& r
   reader.require(counts.noise <= 1024 && counts.details <= 1024 && counts.materials <= 5 * max_asset_parts &&
                      (counts.skin_shares == 0 || counts.skin_shares == asset.parts.size()),
                  "it has more texels than an asset holds");
+  reader.require(counts.tiles.size() <= max_asset_tiles, "it has more tiles than an asset holds");
+  for (const TileCounts& tile : counts.tiles)
+    reader.require(tile.side >= 1 && tile.side <= max_asset_tile_side && tile.colors >= 1 && tile.colors <= 256,
+                   "a tile of its details is none");
   reader.require(counts.thirds >= 1 && counts.thirds <= 128, "its nodes are rounded in no known way");
   for (const int part : asset.spared)
     reader.require(part >= 0 && part < static_cast<int>(asset.parts.size()), "it spares a part that it does not have");
@@ -176,9 +201,9 @@ Counts read_header(std::string_view text, Asset& asset, const AssetReader& reade
   try {
     const ordered_json header = ordered_json::parse(text);
     const int format = header.at("format");
-    reader.require(format >= 1 && format <= 3, "it is of a format that this version does not read");
+    reader.require(format >= 1 && format <= 4, "it is of a format that this version does not read");
     if (format >= 2) counts.thirds = header.at("thirds");
-    if (format == 3) {
+    if (format == 3 || header.contains("shells")) {
       counts.shells = header.at("shells").at("count");
       reader.require(counts.shells >= 1 && counts.shells <= max_asset_shells, "it has no shells, or too many");
     }
@@ -194,6 +219,10 @@ Counts read_header(std::string_view text, Asset& asset, const AssetReader& reade
     counts.noise = texels.at(0), counts.details = texels.at(1), counts.materials = texels.at(2);
     counts.skin_shares = header.at("skin_shares");
     if (header.contains("spared")) asset.spared = header["spared"].get<std::vector<int>>();
+    if (format == 4) {
+      for (const ordered_json& tile : header.at("tiles"))
+        counts.tiles.push_back({.side = tile.at("side"), .colors = tile.at("colors")});
+    }
     if (header.contains("guide")) {
       const ordered_json& guide = header["guide"];
       asset.guide = AssetGuide{.stride = guide.at("stride"),
@@ -269,6 +298,22 @@ void read_shells(const Counts& counts, AssetReader& reader, Asset& a) {
   }
 }
 
+void read_tiles(const Counts& counts, AssetReader& reader, Asset& a) {
+  for (const TileCounts& count : counts.tiles) {
+    AssetTile tile{.side = count.side, .palette = {}, .texel = {}};
+    const std::string_view colors = reader.take(3 * count.colors, "tiles");
+    for (std::size_t i = 0; i < colors.size(); i += 3)
+      tile.palette.emplace_back(static_cast<std::uint8_t>(colors[i]), static_cast<std::uint8_t>(colors[i + 1]),
+                                static_cast<std::uint8_t>(colors[i + 2]));
+    const auto side = static_cast<std::size_t>(count.side);
+    for (const char number : reader.take(side * side * side, "tiles")) {
+      tile.texel.push_back(static_cast<std::uint8_t>(number));
+      reader.require(tile.texel.back() < count.colors, "a texel of a tile has a colour that is none");
+    }
+    a.tiles.push_back(std::move(tile));
+  }
+}
+
 }  // namespace
 
 std::string write_asset(const Asset& asset, const std::string& made_by, int effort) {
@@ -304,6 +349,7 @@ Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
   asset.node_color = std::move(*colors);
   read_look(counts, reader, asset);
   read_shells(counts, reader, asset);
+  read_tiles(counts, reader, asset);
   reader.require(reader.is_empty(), "something follows its end");
   return asset;
 }

@@ -1,5 +1,6 @@
 // The passes that make a face's textures: bare colours, ways to rims, noise, details, lines.
 import {linearOf} from './color.js';
+import {byExample} from './fruit_textures.js';
 import {profilePlaces} from './knives.js';
 import {V} from './linear.js';
 
@@ -186,7 +187,8 @@ export class FacePasses {
   // ---- Details: a program for each kind, compiled when the first face is at rest. ----
 
   detail(kind) {
-    if (!this.kinds.has(kind)) this.kinds.set(kind, this.card.program('section.glsl', ['DETAIL', `KIND ${kind}`]));
+    const defines = ['DETAIL', `KIND ${kind}`, ...(kind === byExample ? ['EXAMPLES'] : [])];
+    if (!this.kinds.has(kind)) this.kinds.set(kind, this.card.program('section.glsl', defines));
     return this.kinds.get(kind);
   }
   hasDetails(fruit) { return this.style.noise && fruit.hasNoise && fruit.details.length > 0; }

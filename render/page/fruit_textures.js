@@ -10,6 +10,9 @@ function shellOf({first, count, points}, stone) {
   return {stone: [first, count], socket: [first, count], points, rim, samples};
 }
 
+/** The kind of a detail by example (shaders/detail.glsl). */
+export const byExample = 5;
+
 export class FruitTextures {
   /** `header`: of an asset, or a placeholder. */
   constructor(card, header) {
@@ -35,7 +38,7 @@ export class FruitTextures {
     const {card} = this, {gl} = card;
     this.look = {
       noise_styles: card.floats(noise, gl.NEAREST),
-      detail_styles: card.floats(details, gl.NEAREST),
+      detail_styles: card.longFloats(details),
       materials: card.floats(materials, gl.NEAREST)
     };
     this.hasNoise = noise.length > 0;
@@ -65,6 +68,8 @@ export class FruitTextures {
       const kind = rest.details[28 * i];
       if (kind >= 0) this.details.push({number: i, kind});
     }
+    // Examples change linear light, before the others change OKLab.
+    this.details.sort((a, b) => Number(b.kind === byExample) - Number(a.kind === byExample));
     if (rest.spared) {
       const {stone, socket, shells} = rest.spared;
       this.spared = {

@@ -1,5 +1,8 @@
 // The GPU device: programs, textures, buffers.
 
+/** Texels, a power of two. */
+const longestRow = 2048;
+
 export class GpuDevice {
   /** `antialias`: true if the canvas has smooth edges; else samples() has them. */
   constructor(canvas, shaders, antialias) {
@@ -13,14 +16,17 @@ export class GpuDevice {
     this.isSoftware = /swiftshader|llvmpipe|software|basic render/i.test(renderer);
   }
 
-  /** A shader's text with its includes; texel buffers of the pictures' shaders are rows of float textures here. */
+  /** A shader's text with its includes; texel buffers of the pictures' shaders are float textures here. */
   text(name, seen = new Set()) {
     if (seen.has(name)) return '';
     seen.add(name);
     return this.shaders[name]
       .replace(/^#include "(.*)"$/gm, (_, other) => this.text(other, seen))
       .replace(/uniform samplerBuffer/g, 'uniform highp sampler2D')
-      .replace(/texelFetch\((noise_styles|detail_styles|materials), ([^()]*)\)/g, 'texelFetch($1, ivec2($2, 0), 0)');
+      .replace(/texelFetch\((noise_styles|materials), ([^()]*)\)/g, 'texelFetch($1, ivec2($2, 0), 0)')
+      .replace(
+        /texelFetch\(detail_styles, ([^()]*)\)/g,
+        `texelFetch(detail_styles, ivec2(($1) & ${longestRow - 1}, ($1) / ${longestRow}), 0)`);
   }
 
   /** A program that is compiled when it is started, queried or first used. */
@@ -94,6 +100,14 @@ export class GpuDevice {
   table(width, format, kind, type, data, perTexel, filter = this.gl.NEAREST) {
     const {gl} = this, rows = data.length / (width * perTexel);
     return this.texture(gl.TEXTURE_2D, filter, (t) => gl.texImage2D(t, 0, format, width, rows, 0, kind, type, data));
+  }
+  /** In several rows if there are more than one can hold. */
+  longFloats(data) {
+    const {gl} = this, perRow = 4 * longestRow;
+    if (data.length <= perRow) return this.floats(data, gl.NEAREST);
+    const rows = new Float32Array(Math.ceil(data.length / perRow) * perRow);
+    rows.set(data);
+    return this.table(longestRow, gl.RGBA32F, gl.RGBA, gl.FLOAT, rows, 4);
   }
   floats(data, filter) {
     return this.table(

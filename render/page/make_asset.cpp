@@ -1,10 +1,12 @@
 #include "render/page/make_asset.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "generator/base/error.h"
 #include "generator/cut/spared.h"
@@ -158,10 +160,27 @@ void add_nodes(const NodeColors& nodes, Asset& asset) {
   fill_unknown(nodes, asset);
 }
 
+/// Colours by number, from the smallest bytes.
+AssetTile asset_tile(const ExampleTile& tile) {
+  const auto number_of = [](const glm::u8vec3& t) { return t.r << 16 | t.g << 8 | t.b; };
+  std::map<int, std::size_t> known;
+  for (const glm::u8vec3& texel : tile.texel) known.try_emplace(number_of(texel), 0);
+  AssetTile packed{.side = tile.side(), .palette = {}, .texel = {}};
+  for (auto& [color, number] : known) {
+    number = packed.palette.size();
+    packed.palette.emplace_back(color >> 16, color >> 8 & 255, color & 255);
+  }
+  for (const glm::u8vec3& texel : tile.texel)
+    packed.texel.push_back(static_cast<std::uint8_t>(known.at(number_of(texel))));
+  return packed;
+}
+
 void add_look(const AssetTask& task, Asset& asset) {
   const Template& fruit = task.variant;
   asset.noise = noise_texels(fruit.noise);
-  asset.details = detail_texels(Look(NoiseStyle{}, fruit.details));
+  DetailTexels details = detail_texels(std::array{Look(NoiseStyle{}, fruit.details)});
+  asset.details = std::move(details.styles);
+  for (const auto& tile : details.tiles) asset.tiles.push_back(asset_tile(*tile));
   std::vector<MaterialSketch> materials = look_of(fruit, asset.parts).materials;
   materials.resize(asset.parts.size());
   for (const MaterialSketch& material : materials) {

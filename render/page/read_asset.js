@@ -286,13 +286,53 @@ export function addNodes(fruit, bytes, at) {
 // ---- Paint and spared parts. ----
 
 /**
+ * A tile's texels as shaders/detail.glsl has them, level after level: linear colour, and share of its luminance.
+ * @param {number} side
+ * @param {Uint8Array} palette bytes of sRGB
+ * @param {Uint8Array} texel
+ */
+function tileTexels(side, palette, texel) {
+  const luminance = (/** @type {ArrayLike<number>} */ c, i = 0) =>
+    0.2126 * c[i] + 0.7152 * c[i + 1] + 0.0722 * c[i + 2];
+  const color = Float64Array.from(palette, (byte) => linear[byte]), shades = [];
+  for (let i = 0; i < color.length; i += 3) shades.push(luminance(color, i));
+  const darkest = Math.min(...shades), range = Math.max(Math.max(...shades) - darkest, 1e-6), levels = [];
+  let level = new Float64Array(3 * texel.length);
+  texel.forEach((number, i) => level.set(color.subarray(3 * number, 3 * number + 3), 3 * i));
+  for (;; level = halved(level, side), side = side % 2 ? 1 : side / 2) {
+    for (let i = 0; i < level.length; i += 3)
+      levels.push(level[i], level[i + 1], level[i + 2], (luminance(level, i) - darkest) / range);
+    if (side === 1) return levels;
+  }
+}
+
+/**
+ * Colours of a cube half as fine; an odd side leaves the mean alone.
+ * @param {Float64Array} level
+ * @param {number} side
+ */
+function halved(level, side) {
+  const step = side % 2 ? side : 2, half = side / step, next = new Float64Array(3 * half ** 3);
+  for (let z = 0, at = 0; z < side; ++z) {
+    for (let y = 0; y < side; ++y) {
+      for (let x = 0; x < side; ++x, at += 3) {
+        const [a, b, c] = [x, y, z].map((v) => Math.floor(v / step)), to = 3 * ((c * half + b) * half + a);
+        for (let k = 0; k < 3; ++k) next[to + k] += level[at + k] / step ** 3;
+      }
+    }
+  }
+  return next;
+}
+
+/**
  * Returns their end.
  * @param {Fruit} fruit
  * @param {Uint8Array} bytes
  * @param {number} at
  */
 export function addLook(fruit, bytes, at) {
-  const {texels, parts, guide, skin_shares: shares, shells, triangles} = fruit.header, reader = new Reader(bytes, at);
+  const {texels, parts, guide, skin_shares: shares, shells, triangles, tiles} = fruit.header;
+  const reader = new Reader(bytes, at);
   const floats = (/** @type {number} */ count) => new Float32Array(reader.take(16 * count).buffer);
   fruit.noise = floats(texels[0]);
   fruit.details = floats(texels[1]);
@@ -307,6 +347,12 @@ export function addLook(fruit, bytes, at) {
   if (shells) {
     fruit.shell = new Uint16Array(triangles);
     reader.numbers(triangles, 1, 2, fruit.shell);
+  }
+  if (tiles) {
+    const all = [...fruit.details];
+    for (const {side, colors} of tiles)
+      for (const value of tileTexels(side, reader.take(3 * colors), reader.take(side ** 3))) all.push(value);
+    fruit.details = Float32Array.from(all);
   }
   return reader.at;
 }

@@ -166,11 +166,17 @@ void main() {
   if (form.w > 0.0) share *= exp(-dot(away, away) / (2.0 * form.w * form.w));
 
   if (share > 1e-3) {
+#ifdef EXAMPLES
+    vec4 shown = example_color(detail, position, footprint_here(), way_layer);
+    styled.rgb = with_example(detail, styled.rgb, shown.rgb, head.z * share);
+    vec2 value = vec2(shown.a, 0.0);
+#else
     vec2 value = shown_pattern(detail, KIND, position, footprint_here(), way_layer);
     vec3 lab = to_oklab(styled.rgb);
     lab += value.x * head.z * share * (head.w > 0.0 ? target.xyz - lab : target.xyz);
     lab.x += value.y * abs(head.z * share) * 0.12;
     styled.rgb = clamp(from_oklab(lab), 0.0, 1.0);
+#endif
     beside = packed_height(height_of(beside) + last.w * share * value.x);
   }
 }

@@ -21,6 +21,7 @@ export interface AssetHeader {
   parts: string[];
   spared?: number[];
   shells?: {count: number; nearly_as_much: number};
+  tiles?: {side: number; colors: number}[];
   texels: number[];
   skin_shares: number;
   guide?: {stride: number; unit: number; count: number[]; deepest: number};

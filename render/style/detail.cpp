@@ -8,6 +8,7 @@
 #include "generator/base/gradient_noise.h"
 #include "generator/base/random.h"
 #include "generator/base/reproducible.h"
+#include "render/style/example.h"
 
 namespace pomona {
 
@@ -73,6 +74,12 @@ double dots(const DetailSketch& detail, const glm::dvec3& point, double pitch, s
   return 1 - smoothstep(0.9 * (1 - detail.softness), 1.0, distance);
 }
 
+/// A place in the tile, by chance.
+glm::dvec3 tile_offset(std::uint32_t seed) {
+  const std::uint32_t hash = lattice_hash(0, 0, 0, seed);
+  return glm::dvec3(hash & 1023u, (hash >> 10) & 1023u, (hash >> 20) & 1023u) / 1024.0;
+}
+
 /// Whether two details of one seed have the same pattern, apart from its place in space.
 bool have_one_shape(const DetailSketch& one, const DetailSketch& other) {
   const auto all = [](const DetailSketch& d) {
@@ -91,8 +98,13 @@ PatternPlace pattern_place(const DetailSketch& detail, const glm::dvec3& positio
 
 Pattern::Pattern(const DetailSketch& detail, std::uint32_t seed, const Pattern* like) : detail_(detail) {
   shape_.seed = detail.pattern + 4096 + 16 * seed;
-  if (like != nullptr && like->shape_.seed == shape_.seed && have_one_shape(like->detail_, detail)) {
+  if (like != nullptr && !detail.tile && like->shape_.seed == shape_.seed && have_one_shape(like->detail_, detail)) {
     shape_ = like->shape_;
+    return;
+  }
+  if (detail.tile) {
+    shape_.aside = tile_offset(shape_.seed);
+    shape_.mean = of_example(glm::dvec3(0), 1e9);
     return;
   }
   // Noise is nearly normal, and the normal distribution is nearly the logistic one.
@@ -115,11 +127,20 @@ Pattern::Pattern(const DetailSketch& detail, std::uint32_t seed, const Pattern* 
 PatternValue Pattern::operator()(const glm::dvec3& position, const DetailGuide& guide, double footprint) const {
   const PatternPlace place = pattern_place(detail_, position, guide);
   const double cycles = footprint * place.squeeze / detail_.size;
+  if (detail_.tile) return of_example(place.point, cycles);
   const double shown = 1 - smoothstep(0.25, 0.5, cycles);
   if (shown == 0) return shape_.mean;
   const PatternValue value = at(place.point, 1 - smoothstep(0.125, 0.25, cycles));
   return {shape_.mean.share + shown * (value.share - shape_.mean.share),
           shape_.mean.tone + shown * (value.tone - shape_.mean.tone)};
+}
+
+/// The share is that of the way from the tile's least luminance to its largest.
+PatternValue Pattern::of_example(const glm::dvec3& point, double cycles) const {
+  const ExampleTile& tile = *detail_.tile;
+  const Color shown = tile_color(tile, turned_for_tile(point) + shape_.aside, cycles * tile.side());
+  const double range = std::max(tile.brightest - tile.darkest, 1e-6);
+  return {std::clamp((luminance(shown) - tile.darkest) / range, 0.0, 1.0), 0, shown};
 }
 
 /// \param fine how much of features finer than the size is shown, 0..1.
@@ -162,6 +183,8 @@ PatternValue Pattern::at(glm::dvec3 point, double fine) const {
       const double shade = smoothstep(rim, rim + soft, border) * (1 - smoothstep(rim + soft, rim + 3 * soft, border));
       return {line, -detail_.variety * shade};
     }
+    case DetailKind::example:
+      break;  // without a tile there is nothing to show
   }
   return {};
 }

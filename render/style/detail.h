@@ -31,6 +31,7 @@ PatternPlace pattern_place(const DetailSketch& detail, const glm::dvec3& positio
 struct PatternValue {
   double share = 0;  ///< share of the detail's amount, 0..1
   double tone = 0;   ///< change of OKLab lightness, times the amount: -1..1
+  Color shown{0};    ///< the example's colour; else black
 };
 
 /// A detail, prepared for many places.
@@ -39,7 +40,8 @@ class Pattern {
   /// \param like a detail whose shape is reused if the pattern is the same, which saves a millisecond.
   explicit Pattern(const DetailSketch& detail, std::uint32_t seed, const Pattern* like = nullptr);
 
-  /// Between 1/4 and 1/2 of (footprint times squeeze over size) the pattern fades into its mean.
+  /// Between 1/4 and 1/2 of (footprint times squeeze over size) the pattern fades into its mean; examples, whose marks
+  /// are finer than their size, go over into coarser tiles.
   PatternValue operator()(const glm::dvec3& position, const DetailGuide& guide, double footprint) const;
 
   /// Numbers that the GPU needs, too (shaders/detail.glsl).
@@ -49,12 +51,14 @@ class Pattern {
     double pitch = 1;      ///< cells per size, for dots
     PatternValue mean;
     std::uint32_t seed = 0;
+    glm::dvec3 aside{0};  ///< of examples: where in the tile the fruit's origin lies
   };
   const Shape& shape() const { return shape_; }
   const DetailSketch& detail() const { return detail_; }
 
  private:
   PatternValue at(glm::dvec3 point, double fine) const;
+  PatternValue of_example(const glm::dvec3& point, double cycles) const;
 
   DetailSketch detail_;
   Shape shape_;

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/reproducible.h"
+#include "render/style/example.h"
 
 namespace pomona {
 
@@ -44,6 +45,7 @@ Look::Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details, co
     Detail detail{Pattern(sketch, static_cast<std::uint32_t>(&sketch - details.data()), known),
                   sketch.color ? glm::dvec3(to_oklab(*sketch.color)) : glm::dvec3(sketch.axis), glm::dvec3(0)};
     if (sketch.near) detail.near = to_oklab(*sketch.near);
+    has_examples_ = has_examples_ || sketch.tile != nullptr;
     of_face.push_back(detail);
   }
 }
@@ -73,18 +75,36 @@ bool Look::has_relief(DetailFace face) const {
 
 bool Look::is_plain() const { return modulation_.bands() == 0 && details_[0].empty() && details_[1].empty(); }
 
+/// Tiles add in linear light, so that the mean of the colours stays as they are diffused.
+Color Look::with_examples(const Color& modulated, const Color& unmodulated, const LookPlace& place) const {
+  const std::vector<Detail>& details = this->details(place.face);
+  Color color = modulated;
+  for (std::size_t i = 0; i < details.size(); ++i) {
+    const ExampleTile* const tile = details[i].pattern.detail().tile.get();
+    const double given = static_cast<double>(place.guide.share[static_cast<int>(i)]);
+    if (tile == nullptr || given == 0) continue;
+    const bool is_anywhere = !details[i].pattern.detail().near;
+    const double weight = weight_of(details[i], is_anywhere ? glm::dvec3(0) : glm::dvec3(to_oklab(unmodulated)), given);
+    if (weight < min_weight) continue;
+    color = with_example(color, *tile, details[i].pattern(place.position, place.guide, place.footprint).shown, weight);
+  }
+  return color;
+}
+
 Color Look::operator()(const Color& unmodulated, const LookPlace& place) const {
   // Noise first; without a guide that is all.
-  const Color modulated = modulation_(unmodulated, place.position, place.footprint);
+  Color modulated = modulation_(unmodulated, place.position, place.footprint);
   const glm::vec4& share = place.guide.share;
   if (share == glm::vec4(0)) return modulated;
 
-  // Then the details in their order. OKLab is worked out only once a detail needs it.
+  // Then the examples, in linear light, and the other details in their order. OKLab is worked out only once a detail
+  // needs it.
+  if (has_examples_) modulated = with_examples(modulated, unmodulated, place);
   const std::vector<Detail>& details = this->details(place.face);
   std::optional<glm::dvec3> plain, lab;
   for (std::size_t i = 0; i < details.size(); ++i) {
     const double given = static_cast<double>(share[static_cast<int>(i)]);
-    if (given == 0) continue;
+    if (given == 0 || details[i].pattern.detail().tile) continue;
     if (!plain) plain = to_oklab(unmodulated);
     const double weight = weight_of(details[i], *plain, given);
     if (std::fabs(weight) < min_weight) continue;
@@ -95,7 +115,7 @@ Color Look::operator()(const Color& unmodulated, const LookPlace& place) const {
     lab->x += value.tone * std::fabs(weight) * tone_step;
   }
 
-  // Colours without any detail keep the bits that noise has given them.
+  // Colours without any such detail keep the bits that they have.
   if (!lab) return modulated;
   const Color result = from_oklab(glm::vec3(*lab));
   return {std::clamp(result.r, 0.0f, 1.0f), std::clamp(result.g, 0.0f, 1.0f), std::clamp(result.b, 0.0f, 1.0f)};

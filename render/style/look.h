@@ -26,10 +26,11 @@ class Look {
   /// \param like a Look whose equal patterns are reused, because pieces of one fruit have the same ones.
   Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details = {}, const Look* like = nullptr);
 
-  /// The colour with noise and then details in their order, each with the weight
-  /// w = amount guide.share exp(-|OKLab(unmodulated) - OKLab(near)|^2 / 2 near_within^2); a pattern of share s and tone
-  /// t then moves it by s w towards the detail's colour, or by s w axis, and by t |w| tone_step in lightness. Without
-  /// any effect the colour returns bit for bit. Two cuts of a fruit agree where they meet.
+  /// The colour with noise, then examples and then the other details in their order, each with the weight
+  /// w = amount guide.share exp(-|OKLab(unmodulated) - OKLab(near)|^2 / 2 near_within^2); examples act as
+  /// with_example() says (example.h); a pattern of share s and tone t moves the colour by s w towards the detail's
+  /// colour, or by s w axis, and by t |w| tone_step in lightness. Without any effect the colour returns bit for bit.
+  /// Two cuts of a fruit agree where they meet.
   Color operator()(const Color& unmodulated, const LookPlace& place) const;
 
   /// How high the details stand out at a place, and how far that lies below their mean: the sum over them of
@@ -59,8 +60,11 @@ class Look {
   static constexpr double tone_step = 0.12;  ///< step of OKLab lightness for a tone of 1
 
  private:
+  Color with_examples(const Color& modulated, const Color& unmodulated, const LookPlace& place) const;
+
   Modulation modulation_;
   std::array<std::vector<Detail>, 2> details_;  ///< details for each kind of face
+  bool has_examples_ = false;
 };
 
 }  // namespace pomona

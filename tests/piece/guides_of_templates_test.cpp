@@ -1,4 +1,5 @@
-// The promise of guides on shipped templates: two cuts made apart agree to the bit where they meet.
+// The promise of details on shipped templates: two cuts made apart agree to the bit where they meet, in the guides of
+// texture and in its colours, drawn or by example.
 #include <filesystem>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/guided.h"
 #include "generator/template/read/read_template.h"
+#include "render/style/look.h"
 
 namespace pomona {
 namespace {
@@ -30,6 +32,11 @@ CrossSection guided_section(const GrownFruit& grown, const Template& fruit, cons
   return guided(std::move(section), grown.swept, fruit, {}, grown.skin.get());
 }
 
+Color color_at(const Look& look, const glm::dvec3& place, const glm::vec4& way_layer) {
+  return look(Color(0.4f, 0.5f, 0.2f),
+              {.position = place, .footprint = 1e-4, .guide = {glm::vec3(way_layer), way_layer.w, glm::vec4(1)}});
+}
+
 class GuidesOfTemplates : public testing::TestWithParam<const char*> {};
 
 TEST_P(GuidesOfTemplates, AgreeToTheBitWhereTwoCutsMeet) {
@@ -42,6 +49,7 @@ TEST_P(GuidesOfTemplates, AgreeToTheBitWhereTwoCutsMeet) {
   ASSERT_NE(across.guide_lattice, nullptr);
 
   // Along the line where both planes meet.
+  const Look look(fruit.noise, fruit.details);
   const glm::dvec3 middle = across.faces.front().origin;
   const Box<double> box = bounds_of(grown.swept);
   int met = 0;
@@ -51,6 +59,7 @@ TEST_P(GuidesOfTemplates, AgreeToTheBitWhereTwoCutsMeet) {
     if (!in_half || !in_across) continue;
     ++met;
     EXPECT_EQ(*in_half, *in_across) << place.x;
+    EXPECT_EQ(color_at(look, place, *in_half), color_at(look, place, *in_across)) << place.x;
   }
   EXPECT_GT(met, 100);
 }

@@ -106,6 +106,37 @@ TEST(Asset, IsReadAsItWasWritten) {
   EXPECT_EQ(a.guide->share, b.guide->share);
 }
 
+TEST(Asset, BringsTheTilesOfItsExamples) {
+  Asset a = asset();
+  AssetTile tile{.side = 16, .palette = {{9, 200, 30}, {255, 0, 1}, {7, 7, 7}}, .texel = {}};
+  for (int i = 0; i < 4096; ++i) tile.texel.push_back(static_cast<std::uint8_t>(i * i % 3));
+  a.tiles = {tile, tile};
+  const Asset b = read_asset(write_asset(a, "a test"), "x.pomona");
+  ASSERT_EQ(b.tiles.size(), 2u);
+  EXPECT_EQ(b.tiles[1].side, 16);
+  EXPECT_EQ(b.tiles[1].palette, tile.palette);
+  EXPECT_EQ(b.tiles[1].texel, tile.texel);
+  EXPECT_EQ(a.shell, b.shell);
+
+  a.tiles[1].texel[77] = 3;
+  EXPECT_THAT(refusal(write_asset(a, "a test")), testing::HasSubstr("a colour that is none"));
+  a.tiles[1] = {.side = 64, .palette = tile.palette, .texel = std::vector<std::uint8_t>(64 * 64 * 64)};
+  EXPECT_THAT(refusal(write_asset(a, "a test")), testing::HasSubstr("tile"));
+  a.tiles.assign(9, tile);
+  EXPECT_THAT(refusal(write_asset(a, "a test")), testing::HasSubstr("more tiles"));
+}
+
+TEST(Asset, OfAFruitByExampleHasItsTile) {
+  Grown made = cherry();
+  const Template kiwi = read_template(POMONA_SOURCE_DIR "/templates/kiwi.toml");
+  made.fruit.details = kiwi.details;
+  const Asset a = draft_of(made);
+  ASSERT_EQ(a.tiles.size(), 1u);
+  const ExampleTile& tile = *kiwi.details.front().tile;
+  ASSERT_EQ(a.tiles[0].texel.size(), tile.texel.size());
+  for (std::size_t i = 0; i < tile.texel.size(); ++i) ASSERT_EQ(a.tiles[0].palette[a.tiles[0].texel[i]], tile.texel[i]);
+}
+
 /// The largest difference between nodes before and after coding.
 int worst_of_nodes(int thirds) {
   const Asset& a = asset();

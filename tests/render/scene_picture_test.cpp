@@ -31,11 +31,13 @@ std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragme
   const std::array<const GlTexture*, 1> colors{&picture};
   const GlFramebuffer target(gl, colors, nullptr);
   const GlVertexArray nothing(gl);
-  const Program program = Program::from_sources(gl, shader_source("fullscreen.vert.glsl"), resolved_includes(fragment));
+  const Program program =
+      Program::from_sources(gl, shader_source("fullscreen.vert.glsl"), resolved_includes(fragment, "EXAMPLES"));
   program.use();
   const GlBuffer buffer(gl, GL_TEXTURE_BUFFER, noise_texels(noise));
   const GlTexture styles(gl, GL_RGBA32F, buffer);
-  const GlBuffer detail_buffer(gl, GL_TEXTURE_BUFFER, detail_texels(details ? *details : Look()));
+  const GlBuffer detail_buffer(gl, GL_TEXTURE_BUFFER,
+                               all_texels(detail_texels(std::array{details ? *details : Look()})));
   const GlTexture detail_styles(gl, GL_RGBA32F, detail_buffer);
   program.set("noise_styles", 0);
   styles.bind(0);
@@ -151,6 +153,15 @@ void main() {
   }
 }
 
+/// Noise of 48 texels a side, whose levels are odd in the end.
+std::shared_ptr<const ExampleTile> some_tile() {
+  const RandomStream stream({3, 0}, "scene_picture_test/tile");
+  std::vector<glm::u8vec3> texel;
+  for (std::uint64_t i = 0; i < 48 * 48 * 48; ++i)
+    texel.emplace_back(100 + 150 * stream.uniform(2 * i), 40 + 200 * stream.uniform(2 * i + 1), 30);
+  return std::make_shared<const ExampleTile>(example_tile("noise.png", 48, texel));
+}
+
 DetailSketch some_detail(DetailKind kind, DetailRun run) {
   DetailSketch detail;
   detail.kind = kind;
@@ -161,6 +172,10 @@ DetailSketch some_detail(DetailKind kind, DetailRun run) {
   detail.color = Color(0.9f, 0.85f, 0.6f);
   detail.near = Color(0.6f, 0.02f, 0.02f);
   detail.near_within = 0.4;
+  if (kind == DetailKind::example) {
+    detail.tile = some_tile();
+    detail.color = {};
+  }
   return detail;
 }
 
@@ -190,8 +205,8 @@ TEST(Shaders, DetailIsThatOfTheCpu) {
   GlContext context;
   const CurrentGl gl(context);
   for (const DetailRun run : {DetailRun::none, DetailRun::to_skin, DetailRun::along, DetailRun::around}) {
-    for (const DetailKind kind :
-         {DetailKind::fibres, DetailKind::cells, DetailKind::speckles, DetailKind::streaks, DetailKind::net}) {
+    for (const DetailKind kind : {DetailKind::fibres, DetailKind::cells, DetailKind::speckles, DetailKind::streaks,
+                                  DetailKind::net, DetailKind::example}) {
       DetailSketch darker = some_detail(DetailKind::fibres, run);
       darker.color = {}, darker.amount = -0.1, darker.pattern = max_pattern;
       const Look look(NoiseStyle{}, {darker, some_detail(kind, run)});
@@ -214,6 +229,32 @@ void main() {
       const bool of_cells = kind == DetailKind::cells;
       EXPECT_LE(off, of_cells ? 8 : 0) << int(kind) << " " << int(run) << " worst " << worst;
     }
+  }
+}
+
+/// From fine tiles to their mean.
+TEST(Shaders, ExamplesAreThoseOfTheCpuAtEveryDistance) {
+  GlContext context;
+  const CurrentGl gl(context);
+  const Look look(NoiseStyle{}, {some_detail(DetailKind::example, DetailRun::to_skin)});
+  for (const double footprint : {0.0, 1e-4, 7e-4, 2e-3}) {
+    const std::vector<glm::u8vec4> pixels =
+        drawn_by(gl, std::string(detail_places) + "const float footprint = " + std::to_string(footprint) + R"(;
+void main() {
+  color = vec4(srgb_from_linear(detailed(plain, vec3(0.0), plain, mat3(1.0), p, footprint, 0, true, way, vec4(1.0)).color), 1.0);
+})",
+                 NoiseStyle{}, 64, 64, &look);
+    int worst = 0, changed = 0;
+    for (int i = 0; i < 64 * 64; ++i) {
+      DetailPlace at = detail_place(i);
+      at.place.footprint = footprint;
+      const glm::u8vec3 expected = to_srgb8(look(at.plain, at.place));
+      for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(int{pixels[i][k]} - int{expected[k]}));
+      changed += expected == to_srgb8(at.plain) ? 0 : 1;
+    }
+    EXPECT_LE(worst, 2) << footprint;
+    EXPECT_GE(changed, footprint <= 1e-4 ? 2000 : 0) << footprint;
+    EXPECT_LE(changed, footprint >= 2e-3 ? 0 : 64 * 64) << footprint;
   }
 }
 
@@ -261,7 +302,8 @@ TEST(Shaders, ReliefIsThatOfTheCpu) {
   const CurrentGl gl(context);
   const glm::dvec3 normal(0.6, 0.48, 0.64);
   for (const DetailRun run : {DetailRun::none, DetailRun::to_skin, DetailRun::along, DetailRun::around}) {
-    for (const DetailKind kind : {DetailKind::fibres, DetailKind::cells, DetailKind::speckles, DetailKind::streaks}) {
+    for (const DetailKind kind :
+         {DetailKind::fibres, DetailKind::cells, DetailKind::speckles, DetailKind::streaks, DetailKind::example}) {
       // Two details of different heights, and between them one with only a colour.
       DetailSketch low = some_detail(DetailKind::fibres, run), high = some_detail(kind, run);
       low.relief = -0.1e-3, low.near = {};

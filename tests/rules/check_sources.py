@@ -76,7 +76,7 @@ HEAVY = {
     "pugixml": (r"pugixml\.hpp", r"generator/text/\w+\.cpp|tests/render/export/\w+\.cpp"),
     "tinygltf": (r"tiny_gltf\.h", r"generator/surface/file/gl(b|tf)_\w+\.(cpp|h)|tests/render/export/read_glb\.cpp"),
     "meshoptimizer": (r"meshoptimizer\.h", r"render/export/gltf/meshopt\.cpp|bench/(\w+/)?\w+\.cpp"),
-    "libpng": (r"png\.h", r"render/image/\w+\.cpp|tests/\w+/\w+\.cpp"),
+    "libpng": (r"png\.h", r"generator/base/png_rows\.cpp|render/image/\w+\.cpp|tests/\w+/\w+\.cpp"),
     "OpenEXR": (r"Imf\w+\.h", r"render/truth/truth_exr\.cpp|tests/\w+/\w+\.cpp"),
     "MurmurHash": (r"murmurhash\.h", r"render/truth/cryptomatte\.cpp"),
     "zlib": (r"zlib\.h", r"render/page/deflate\.cpp"),

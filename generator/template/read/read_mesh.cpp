@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <utility>
 
-#include "generator/base/file_bytes.h"
-#include "generator/base/path_within.h"
 #include "generator/base/small_ending.h"
+#include "generator/template/read/file_beside.h"
 #include "generator/template/read/read_paint.h"
 
 namespace fs = std::filesystem;
@@ -37,21 +37,12 @@ std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::pat
     value.error("is no mesh that can be read", "export it as .ply, .obj or .glb");
     return {};
   }
-  if (fs::path(value.text()).is_absolute() || !path_within(folder, file)) {
-    value.error("leads out of the template's folder", "put the file beside the template");
-    return {};
-  }
+  if (!file_beside(value, folder)) return {};
 
-  // It must be a file, and neither it nor all of them together may fill the memory.
-  try {
-    return std::make_shared<MeshFile>(MeshFile{file.string(), *format, file_bytes(file, max_bytes)});
-  } catch (const Error& error) {
-    const bool is_long = error.status() == ExitStatus::bad_data;
-    value.error(
-        is_long ? error.diagnostics().front().message : "cannot be read: " + error.diagnostics().front().message,
-        is_long ? "simplify the mesh" : "put the file beside the template");
-    return {};
-  }
+  // Neither it nor all of them together may fill the memory.
+  std::optional<std::string> bytes = bytes_beside(value, file, max_bytes, "simplify the mesh");
+  if (!bytes) return {};
+  return std::make_shared<MeshFile>(MeshFile{file.string(), *format, std::move(*bytes)});
 }
 
 std::shared_ptr<const MeshFile> read_once(const TomlValue& value, const fs::path& folder,
