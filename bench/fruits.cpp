@@ -25,7 +25,7 @@ std::vector<std::string> fruit_names(const std::vector<std::string>& wanted) {
   std::sort(names.begin(), names.end());
   if (wanted.empty()) return names;
   for (const std::string& name : wanted) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (std::filesystem::exists(template_path(name))) continue;
     throw Error(ExitStatus::input_missing, "there is no template \"" + name + "\"");
   }
   return wanted;

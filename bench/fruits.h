@@ -18,8 +18,8 @@ struct BenchFruit {
   GrownFruit grown;  ///< seed 0
 };
 
-/// The fruits with these names, or all in templates/, sorted by name. \throws Error (input_missing) if there is no such
-/// template.
+/// The fruits with these names, or all in templates/, sorted by name; "organs/grape" is one that others place. \throws
+/// Error (input_missing) if there is no such template.
 std::vector<std::string> fruit_names(const std::vector<std::string>& wanted = {});
 
 /// The path of the template with this name.
