@@ -1,5 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
+# Some tests wait more than they compute.
+TESTS := $(shell expr $(JOBS) + 1)
 .DEFAULT_GOAL := help
 .PHONY: help salad gallery figures .npm build test python test-python blender-addon test-blender test-programs test-rest golden-renew golden-mutants mutants semantic-faults verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road speed cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
@@ -27,7 +29,7 @@ test: ## all tests that need nothing but Debian's libraries
 	@scripts/setup.sh build test bench
 	cmake --preset test
 	cmake --build build -j $(JOBS)
-	ctest --test-dir build --output-on-failure -j $(JOBS)
+	ctest --test-dir build --output-on-failure -j $(TESTS)
 
 python: ## the Python module, as a wheel in build/python; docs/guides/python.md
 	@scripts/setup.sh build python
@@ -36,7 +38,7 @@ python: ## the Python module, as a wheel in build/python; docs/guides/python.md
 
 test-python: python ## the module's tests, on the wheel as it is installed; FULL=1 compares the bytes of every fruit, format and knife, too
 	@scripts/setup.sh test-python
-	ctest --test-dir build --output-on-failure -j $(JOBS)
+	ctest --test-dir build --output-on-failure -j $(TESTS)
 	$(if $(FULL),cmake --build build --target python_bytes_full)
 
 blender-addon: build ## the add-on for Blender as a .zip in build/blender; docs/guides/blender.md
@@ -59,7 +61,7 @@ test-programs: .npm ## tests that start real programs: the glTF validator, POV-R
 	@scripts/setup.sh build test programs
 	cmake --preset test-programs
 	cmake --build build -j $(JOBS)
-	ctest --test-dir build --output-on-failure -j $(JOBS) -L programs
+	ctest --test-dir build --output-on-failure -j $(TESTS) -L programs
 
 test-rest: build .npm ## all templates by five knives come to rest in MuJoCo, welded fruits hold, dishes are open; half an hour
 	@scripts/setup.sh build test programs
@@ -135,7 +137,7 @@ sanitize: ## the tests again, under AddressSanitizer and UndefinedBehaviorSaniti
 clang: clang-bytes ## all of it compiled by clang, each source by itself, and the tests that compare bytes
 	cmake --preset clang
 	cmake --build build-clang -j $(JOBS)
-	ctest --test-dir build-clang --output-on-failure -j $(JOBS) -R 'golden|[Bb]its|[Bb]yte|Thread|Random|Reproducible|Agreement'
+	ctest --test-dir build-clang --output-on-failure -j $(TESTS) -R 'golden|[Bb]its|[Bb]yte|Thread|Random|Reproducible|Agreement'
 
 clang-bytes: build ## the program compiled by clang: does it write what gcc's writes, and both what is published?
 	@scripts/setup.sh build test clang

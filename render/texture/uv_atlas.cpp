@@ -81,7 +81,6 @@ class Field {
         words_(static_cast<std::size_t>(blocks.x + 63) / 64),
         levels_(static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(blocks.x)))),
         rows_(static_cast<std::size_t>(blocks.y) * levels_ * words_, 0),
-        blocked_(words_, 0),
         first_row_(kinds, 0) {}
 
   /// The first free place for the shape, row by row and before row `end`. Blocks are never freed, so shapes of its kind
@@ -91,8 +90,7 @@ class Field {
     int& y = first_row_[shape.kind];
     for (; y < end && y + shape.mask.height <= blocks_.y && last >= 0; ++y) {
       looks_ += 2 * words_ * shape.runs.size();
-      const std::optional<int> x = words_ == 1 ? first_free_in_word(shape, y, last) : first_free(shape, y, last);
-      if (x) return glm::ivec2(*x, y);
+      if (const std::optional<int> x = first_free(shape, y, last)) return glm::ivec2(*x, y);
     }
     return std::nullopt;
   }
@@ -126,36 +124,31 @@ class Field {
     return {&rows_[place_of(y + run.row, static_cast<std::size_t>(level))], run.begin + run.length - (1 << level)};
   }
 
-  std::optional<int> first_free(const Shape& shape, int y, int last) {
-    std::fill(blocked_.begin(), blocked_.end(), 0);
-    for (const BlockRun& run : shape.runs) {
-      const auto [row, second] = cover_of(run, y);
-      or_moved(blocked_.data(), row, words_, run.begin);
-      or_moved(blocked_.data(), row, words_, second);
-    }
-    for (int x = 0; x <= last; ++x) {
-      const int taken = std::countr_one(blocked_[static_cast<std::size_t>(x) / 64] >> (x % 64));
-      if (taken == 0) return x;
-      x += std::min(taken, 64 - x % 64) - 1;
+  /// Word by word of places; nothing more is read of a word in which no place is left.
+  std::optional<int> first_free(const Shape& shape, int y, int last) const {
+    for (int begin = 0; begin <= last; begin += 64) {
+      Word free = last - begin >= 63 ? ~Word{0} : (Word{2} << (last - begin)) - 1;
+      for (const BlockRun& run : shape.runs) {
+        const auto [row, second] = cover_of(run, y);
+        free &= ~(bits_from(row, begin + run.begin) | bits_from(row, begin + second));
+        if (free == 0) break;
+      }
+      if (free != 0) return begin + std::countr_zero(free);
     }
     return std::nullopt;
   }
 
-  /// The same where a row is one word, as at 512 texels: nothing more is read once no place is left.
-  std::optional<int> first_free_in_word(const Shape& shape, int y, int last) const {
-    Word free = last >= 63 ? ~Word{0} : (Word{2} << last) - 1;
-    for (const BlockRun& run : shape.runs) {
-      const auto [row, second] = cover_of(run, y);
-      free &= ~(*row >> run.begin | *row >> second);
-      if (free == 0) return std::nullopt;
-    }
-    return std::countr_zero(free);
+  /// 64 blocks of a row, from one on; beyond its end 0.
+  Word bits_from(const Word* row, int first) const {
+    const auto word = static_cast<std::size_t>(first / 64);
+    const int bits = first % 64;
+    const Word low = row[word] >> bits;
+    return bits != 0 && word + 1 < words_ ? low | row[word + 1] << (64 - bits) : low;
   }
 
   glm::ivec2 blocks_;
   std::size_t words_, levels_;
   std::vector<Word> rows_;      // per row, per k
-  std::vector<Word> blocked_;   // of the row that is tried
   std::vector<int> first_row_;  // per kind: first row that may have a place for it
   std::size_t looks_ = 0;
 };
