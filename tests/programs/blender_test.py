@@ -2,7 +2,9 @@
 """Blender imports a scene: every piece at its place, in its group, with its triangles, materials and properties, and a
 picture of it shows fruit.
 
-    blender_test.py FILE.glb FOLDER
+    blender_test.py FILE.glb FOLDER [ATLAS.glb...]
+
+Further files of the same scene have their colours in images: the same as those of the vertices.
 """
 
 import json
@@ -14,7 +16,7 @@ import unittest
 
 from glb import Glb
 
-FILE, FOLDER = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+FILE, FOLDER, *ATLASES = (pathlib.Path(word).resolve() for word in sys.argv[1:])
 
 
 class InBlender(unittest.TestCase):
@@ -25,11 +27,11 @@ class InBlender(unittest.TestCase):
         # Blender's Python looks along PATH for its own home: no other Python may stand there first.
         environment = dict(os.environ, PATH="/usr/bin:/bin")
         result = subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", "-t", "2", "-P", script,
-                                 "--", FILE, FOLDER / "blender.png"], capture_output=True, text=True, timeout=240,
+                                 "--", FILE, FOLDER / "blender.png", *ATLASES], capture_output=True, text=True, timeout=240,
                                 env=environment)
         assert result.returncode == 0, result.stdout[-3000:] + result.stderr[-3000:]
-        lines = dict(line.split(" ", 1) for line in result.stdout.splitlines() if line.startswith(("SAID ", "SEEN ")))
-        cls.said, cls.seen = json.loads(lines["SAID"]), json.loads(lines["SEEN"])
+        lines = dict(line.split(" ", 1) for line in result.stdout.splitlines() if line.startswith(("SAID ", "SEEN ", "COLORS ")))
+        cls.said, cls.seen, cls.colors = (json.loads(lines[word]) for word in ("SAID", "SEEN", "COLORS"))
         cls.glb = Glb(FILE)
 
     def test_every_piece_is_an_object_at_its_place(self):
@@ -57,6 +59,15 @@ class InBlender(unittest.TestCase):
             self.assertEqual(theirs["materials"], names)
             for key in ("template", "seed", "knife", "command", "mass"):
                 self.assertEqual(theirs["extras"][key], mesh["extras"][key])
+
+    def test_images_have_the_colours_of_vertices(self):
+        for file in ATLASES:
+            told = self.colors[str(file)]
+            self.assertEqual(set(told), set(self.said["objects"]), file.name)
+            for name, difference in told.items():
+                # Texels blur an onion's skins, which are thinner.
+                texels = 0.2 if name.startswith("onion") else 0.05
+                self.assertLess(difference, 0.005 if "looks" in file.name else texels, f"{name} of {file.name}")
 
     def test_the_camera_sees_fruit(self):
         self.assertEqual(self.said["cameras"], ["view"])

@@ -6,18 +6,21 @@ import subprocess
 import time
 
 
-def imported(file, folder):
-    """A project with this scene, imported. The folder is made anew."""
+def imported(file, folder, atlas=None):
+    """A project with this scene, imported, and with its like that has an atlas. The folder is made anew."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    shutil.copy(file, folder / "scene.glb")
+    scenes = {"scene.glb": file} | ({"atlas.glb": atlas} if atlas else {})
+    for name, source in scenes.items():
+        shutil.copy(source, folder / name)
     (folder / "project.godot").write_text('config_version=4\n[application]\nconfig/name="pomona"\n')
 
     # Godot 3's server imports what is in the folder, and then never ends: so it is ended when the scene is there.
     with open(folder / "import.log", "w") as log:
         editor = subprocess.Popen(["godot3-server", "--editor", "--quit", "--path", folder], stdout=log, stderr=log)
         ends = time.monotonic() + 120
-        while not list((folder / ".import").glob("scene.glb-*.md5")) and time.monotonic() < ends and editor.poll() is None:
+        missing = lambda: [name for name in scenes if not list((folder / ".import").glob(f"{name}-*.md5"))]  # noqa: E731
+        while missing() and time.monotonic() < ends and editor.poll() is None:
             time.sleep(0.1)
         time.sleep(0.5)
         editor.kill()
