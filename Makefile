@@ -65,9 +65,9 @@ test-programs: .npm ## tests that start real programs: the glTF validator, POV-R
 
 test-rest: build .npm ## all templates by five knives come to rest in MuJoCo, welded fruits hold, dishes are open; half an hour
 	@scripts/setup.sh build test programs
-	node tests/programs/mujoco_rest.mjs build/pomona out/rest
-	node tests/programs/mujoco_welds.mjs build/pomona out/rest
-	node tests/programs/mujoco_dishes.mjs build/pomona out/rest $(addprefix scenes/,market_crate.toml chopping_board.toml conveyor.toml strewn_hill.toml fruit_bowl.toml)
+	status=0; for test in rest welds; do node tests/programs/mujoco_$$test.mjs build/pomona out/rest || status=1; done; \
+	for scene in market_crate chopping_board conveyor strewn_hill fruit_bowl; do \
+	  node tests/programs/mujoco_dishes.mjs build/pomona out/rest scenes/$$scene.toml || status=1; done; exit $$status
 
 golden-renew: build ## keeps what is drawn now as golden pictures: NAME="onion_half pile" (or all) REASON="why"
 	@scripts/setup.sh test programs
