@@ -17,9 +17,9 @@ namespace {
 
 bool is_none(const ColorShift& shift) { return shift.lightness == 0 && shift.chroma == 1 && shift.hue == 0; }
 
-/// How much of its way to black or white a colour may go at most: what is drawn pale or dark keeps its shades, where all
-/// that went farther would end as one flat white or black. Tissues, which move as one, go a little less far than the
-/// colours in them.
+/// How much of its way to black or white a colour may go at most: what is drawn pale or dark keeps its shades, where
+/// all that went farther would end as one flat white or black. Tissues, which move as one, go a little less far than
+/// the colours in them.
 constexpr double most_of_room = 0.75, most_of_tissue = 0.7;
 
 /// `value` moved, between 0 and 1; without effect on the move where the room is large.
@@ -321,7 +321,8 @@ class Ripener {
   Color moved(const Color& color, const glm::dvec3& by) const {
     if (by == glm::dvec3(0)) return color;
     Color result;
-    for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(srgb_.to_linear(within_room(srgb_.to_srgb(color[c]), by[c])));
+    for (int c = 0; c < 3; ++c)
+      result[c] = static_cast<float>(srgb_.to_linear(within_room(srgb_.to_srgb(color[c]), by[c])));
     return result;
   }
 
