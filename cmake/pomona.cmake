@@ -15,7 +15,7 @@ endif()
 if(POMONA_SANITIZE)
   # GCC documents that sanitizers make it report values as uninitialized that are not (std::variant, std::optional).
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-    -Wno-maybe-uninitialized)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
