@@ -388,6 +388,7 @@ TEST(OwnSketches, HaveTheColoursOfTheirPictures) {
     const std::string name = entry.path().stem().string();
     const TemporaryFolder folder;
     for (const char* kind : {".toml", ".svg"}) fs::copy(templates / (name + kind), folder / (name + kind));
+    fs::copy(templates / "textures", folder / "textures");
     EXPECT_EQ(run_pomona({"sketch", name + ".toml", "--sample", "--quiet"}, folder.path()).status, 0) << name;
     EXPECT_EQ(bytes_of(folder / (name + ".toml")), bytes) << name;
     ++sampled;
