@@ -157,7 +157,9 @@ if (program) {
   for (const name of readdirSync(templates).filter(
          (file) => !file.endsWith('.toml') && /\.(svg|ply|glb|obj)$/.test(file)))
     copyFileSync(join(templates, name), join(folder, name));
-  cpSync(join(templates, 'organs'), join(folder, 'organs'), {recursive: true});  // what some of them place
+  // What some of them place, and the textures of others.
+  for (const beside of ['organs', 'textures'])
+    cpSync(join(templates, beside), join(folder, beside), {recursive: true});
   for (const name of files) {
     let toml = readFileSync(join(templates, name), 'utf8');
     surfacesIn(toml).forEach((_, index) => ['front', 'back'].forEach((which) => {
