@@ -158,8 +158,7 @@ if (program) {
          (file) => !file.endsWith('.toml') && /\.(svg|ply|glb|obj)$/.test(file)))
     copyFileSync(join(templates, name), join(folder, name));
   // What some of them place, and the textures of others.
-  for (const beside of ['organs', 'textures'])
-    cpSync(join(templates, beside), join(folder, beside), {recursive: true});
+  for (const beside of ['organs', 'textures']) cpSync(join(templates, beside), join(folder, beside), {recursive: true});
   for (const name of files) {
     let toml = readFileSync(join(templates, name), 'utf8');
     surfacesIn(toml).forEach((_, index) => ['front', 'back'].forEach((which) => {
