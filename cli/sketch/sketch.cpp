@@ -18,6 +18,7 @@
 #include "cli/sketch/new_fruit.h"
 #include "cli/sketch/sample_colors.h"
 #include "generator/base/file_bytes.h"
+#include "generator/template/read/read_example.h"
 #include "generator/template/read/read_template.h"
 #include "render/export/output.h"
 
@@ -81,9 +82,8 @@ ExitStatus start(const SketchCommand& command) {
                                          : BegunFruit{copied_fruit(find_template(command.like), fruit_name(toml)), {}};
   std::vector<OutputFile> files = std::move(made.pictures);
   for (const fs::path& example : made.texts.examples) {
-    constexpr std::size_t max = std::size_t{1} << 20;  // as of a template's examples
-    if (auto copy = copy_beside(toml.parent_path() / example.filename(), file_bytes(example, max), example.string(),
-                                "rename one of the two: examples are copied beside the template"))
+    if (auto copy = copy_beside(toml.parent_path() / example.filename(), file_bytes(example, max_example_bytes),
+                                example.string(), "rename one of the two: examples are copied beside the template"))
       files.push_back(std::move(*copy));
   }
   for (const OutputFile& copy : files) say(command, "copied " + copy.path.string());

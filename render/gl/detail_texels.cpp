@@ -1,8 +1,9 @@
 #include "render/gl/detail_texels.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
+
+#include "render/style/example.h"
 
 namespace pomona {
 
@@ -70,11 +71,9 @@ DetailTexels detail_texels(std::span<const Look> looks) {
 }
 
 std::vector<glm::vec4> tile_texels(const ExampleTile& tile) {
-  const double range = std::max(tile.brightest - tile.darkest, 1e-6);
   std::vector<glm::vec4> texels;
   for (const TileLevel& level : tile.levels)
-    for (const Color& color : level.color)
-      texels.emplace_back(color, static_cast<float>((luminance(color) - tile.darkest) / range));
+    for (const Color& color : level.color) texels.emplace_back(color, static_cast<float>(luminance_share(tile, color)));
   return texels;
 }
 

@@ -139,8 +139,7 @@ PatternValue Pattern::operator()(const glm::dvec3& position, const DetailGuide& 
 PatternValue Pattern::of_example(const glm::dvec3& point, double cycles) const {
   const ExampleTile& tile = *detail_.tile;
   const Color shown = tile_color(tile, turned_for_tile(point) + shape_.aside, cycles * tile.side());
-  const double range = std::max(tile.brightest - tile.darkest, 1e-6);
-  return {std::clamp((luminance(shown) - tile.darkest) / range, 0.0, 1.0), 0, shown};
+  return {std::clamp(luminance_share(tile, shown), 0.0, 1.0), 0, shown};
 }
 
 /// \param fine how much of features finer than the size is shown, 0..1.

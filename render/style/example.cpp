@@ -57,6 +57,11 @@ Color tile_color(const ExampleTile& tile, const glm::dvec3& place, double texels
   return Color(blended(finer, level_color(tile.levels[level + 1], place), coarser));
 }
 
+double luminance_share(const ExampleTile& tile, const Color& color) {
+  const double range = std::max(tile.brightest - tile.darkest, 1e-6);
+  return (luminance(color) - tile.darkest) / range;
+}
+
 Color with_example(const Color& color, const ExampleTile& tile, const Color& shown, double weight) {
   Color result = color;
   for (int k = 0; k < 3; ++k) {

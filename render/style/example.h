@@ -16,6 +16,9 @@ glm::dvec3 turned_for_tile(const glm::dvec3& place);
 /// \param texels how many of the tile's texels a pixel covers: coarser levels are blended in above one.
 Color tile_color(const ExampleTile& tile, const glm::dvec3& place, double texels);
 
+/// Where a colour stands between the tile's least and its largest luminance, as a share of the way.
+double luminance_share(const ExampleTile& tile, const Color& color);
+
 /// The colour and `weight` times what the tile's colour differs from its mean, in linear light. Each channel's weight
 /// is lowered to what leaves room for the tile's extremes, whatever it shows here: so nothing is clipped, and the mean
 /// over many places stays the colour.

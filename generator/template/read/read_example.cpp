@@ -20,7 +20,6 @@ namespace {
 
 // Limits of a tile: 48 texels a side are 110 592 in all, some 2 MB of memory with all levels.
 constexpr int side_step = 16, max_side = 48;
-constexpr std::size_t max_tile_bytes = std::size_t{1} << 20;
 constexpr std::size_t max_colors = 256;  // assets and pages have a byte for each texel
 constexpr PngLimits tile_limits{.side = max_side * max_side, .pixels = max_side * max_side * max_side};
 constexpr const char* tile_hint =
@@ -49,7 +48,7 @@ std::shared_ptr<const ExampleTile> read_example(const TomlValue& value, const fs
   if (!value.is(TomlNode::Kind::string)) return {};
   const std::optional<fs::path> file = file_beside(value, folder);
   if (!file) return {};
-  const std::optional<std::string> bytes = bytes_beside(value, *file, max_tile_bytes, tile_hint);
+  const std::optional<std::string> bytes = bytes_beside(value, *file, max_example_bytes, tile_hint);
   if (!bytes) return {};
   const std::optional<PngRows> rows = read_rows(value, *bytes, *file);
   if (!rows) return {};
