@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "generator/base/many_values.h"
 #include "generator/base/reproducible.h"
 
 namespace pomona {
@@ -66,6 +67,21 @@ class Encoder {
   std::array<std::uint8_t, cells> start_{};
 };
 
+/// What the cones of the eye make of a linear colour.
+glm::dvec3 cones_of(const Color& color) {
+  const double r = color.r, g = color.g, b = color.b;
+  return {0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b,
+          0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b,
+          0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b};
+}
+
+/// OKLab, of the cones' cube roots.
+glm::vec3 lab_of(double l, double m, double s) {
+  return {static_cast<float>(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s),
+          static_cast<float>(1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s),
+          static_cast<float>(0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s)};
+}
+
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -114,13 +130,21 @@ std::string to_hex(const Color& color) {
 }
 
 glm::vec3 to_oklab(const Color& color) {
-  const double r = color.r, g = color.g, b = color.b;
-  const auto [l, m, s, unused] = reproducible::cbrt({0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b,
-                                                     0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b,
-                                                     0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b, 1.0});
-  return {static_cast<float>(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s),
-          static_cast<float>(1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s),
-          static_cast<float>(0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s)};
+  const glm::dvec3 cones = cones_of(color);
+  const auto [l, m, s, unused] = reproducible::cbrt({cones.x, cones.y, cones.z, 1.0});
+  return lab_of(l, m, s);
+}
+
+std::vector<glm::vec3> to_oklab(std::span<const glm::vec3> colors) {
+  std::vector<double> cones(3 * colors.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const glm::dvec3 own = cones_of(colors[i]);
+    cones[3 * i] = own.x, cones[3 * i + 1] = own.y, cones[3 * i + 2] = own.z;
+  }
+  const std::vector<double> root = reproducible::cube_roots(cones);
+  std::vector<glm::vec3> lab(colors.size());
+  for (std::size_t i = 0; i < lab.size(); ++i) lab[i] = lab_of(root[3 * i], root[3 * i + 1], root[3 * i + 2]);
+  return lab;
 }
 
 Color from_oklab(const glm::vec3& lab) {

@@ -1,10 +1,12 @@
 #include "render/export/styled_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -97,10 +99,15 @@ std::vector<Color> styled_colors(const StyledMesh& mesh, const Look& look, const
   std::vector<Color> colors = mesh.color;
   if (!look.is_plain()) {
     const std::vector<double> footprint = footprints(mesh);
-    for (std::size_t v = 0; v < colors.size(); ++v) {
-      LookPlace place{.position = glm::dvec3(mesh.position[v]), .footprint = footprint[v], .face = mesh.face[v]};
-      if (!mesh.guide.empty()) place.guide = mesh.guide[v];
-      colors[v] = look(colors[v], place);
+    constexpr std::size_t at_once = 1024;  // they fit the processor's caches
+    for (std::size_t first = 0; first < colors.size(); first += at_once) {
+      std::vector<LookPlace> places;
+      for (std::size_t v = first; v < std::min(colors.size(), first + at_once); ++v) {
+        places.push_back({.position = glm::dvec3(mesh.position[v]), .footprint = footprint[v], .face = mesh.face[v]});
+        if (!mesh.guide.empty()) places.back().guide = mesh.guide[v];
+      }
+      const std::vector<Color> seen = look({&mesh.color[first], places.size()}, places);
+      std::copy(seen.begin(), seen.end(), &colors[first]);
     }
   }
   for (Color& color : colors) color = glm::clamp(paint(color), Color(0), Color(1));

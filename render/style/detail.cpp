@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "generator/base/cell_noise.h"
 #include "generator/base/gradient_noise.h"
+#include "generator/base/many_values.h"
 #include "generator/base/random.h"
 #include "generator/base/reproducible.h"
 #include "render/style/example.h"
@@ -74,6 +76,14 @@ double dots(const DetailSketch& detail, const glm::dvec3& point, double pitch, s
   return 1 - smoothstep(0.9 * (1 - detail.softness), 1.0, distance);
 }
 
+/// The noise of one lattice at scale * points + aside.
+std::vector<double> noise_at(std::span<const glm::dvec3> points, double scale, double aside, std::uint32_t seed) {
+  NoisePlaces places;
+  places.reserve(points.size());
+  for (const glm::dvec3& point : points) places.add(scale * point + aside, seed);
+  return gradient_noise(places);
+}
+
 /// A place in the tile, by chance.
 glm::dvec3 tile_offset(std::uint32_t seed) {
   const std::uint32_t hash = lattice_hash(0, 0, 0, seed);
@@ -116,23 +126,44 @@ Pattern::Pattern(const DetailSketch& detail, std::uint32_t seed, const Pattern* 
   // The mean over many places.
   constexpr int places = 1024;
   const RandomStream stream({0, seed}, "detail/mean");
-  for (int i = 0; i < places; ++i) {
-    const glm::dvec3 point(stream.uniform(3 * i), stream.uniform(3 * i + 1), stream.uniform(3 * i + 2));
-    const PatternValue value = at(64.0 * point, 1);
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < places; ++i)
+    points.push_back(64.0 * glm::dvec3(stream.uniform(3 * i), stream.uniform(3 * i + 1), stream.uniform(3 * i + 2)));
+  for (const PatternValue& value : at(points, std::vector<double>(places, 1))) {
     shape_.mean.share += value.share / places;
     shape_.mean.tone += value.tone / places;
   }
 }
 
 PatternValue Pattern::operator()(const glm::dvec3& position, const DetailGuide& guide, double footprint) const {
-  const PatternPlace place = pattern_place(detail_, position, guide);
-  const double cycles = footprint * place.squeeze / detail_.size;
-  if (detail_.tile) return of_example(place.point, cycles);
-  const double shown = 1 - smoothstep(0.25, 0.5, cycles);
-  if (shown == 0) return shape_.mean;
-  const PatternValue value = at(place.point, 1 - smoothstep(0.125, 0.25, cycles));
-  return {shape_.mean.share + shown * (value.share - shape_.mean.share),
-          shape_.mean.tone + shown * (value.tone - shape_.mean.tone)};
+  const PatternSpot spot{position, guide, footprint};
+  return (*this)({&spot, 1}).front();
+}
+
+std::vector<PatternValue> Pattern::operator()(std::span<const PatternSpot> spots) const {
+  std::vector<PatternValue> values(spots.size(), shape_.mean);
+  std::vector<std::size_t> shown_at;
+  std::vector<glm::dvec3> points;
+  std::vector<double> shown, fine;
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    const PatternPlace place = pattern_place(detail_, spots[i].position, spots[i].guide);
+    const double cycles = spots[i].footprint * place.squeeze / detail_.size;
+    if (detail_.tile) {
+      values[i] = of_example(place.point, cycles);
+      continue;
+    }
+    const double share = 1 - smoothstep(0.25, 0.5, cycles);
+    if (share == 0) continue;
+    shown_at.push_back(i), points.push_back(place.point), shown.push_back(share);
+    fine.push_back(1 - smoothstep(0.125, 0.25, cycles));
+  }
+  const std::vector<PatternValue> found = at(std::move(points), fine);
+  const PatternValue& mean = shape_.mean;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    values[shown_at[i]] = {mean.share + shown[i] * (found[i].share - mean.share),
+                           mean.tone + shown[i] * (found[i].tone - mean.tone)};
+  }
+  return values;
 }
 
 /// The share is that of the way from the tile's least luminance to its largest.
@@ -142,25 +173,47 @@ PatternValue Pattern::of_example(const glm::dvec3& point, double cycles) const {
   return {std::clamp(luminance_share(tile, shown), 0.0, 1.0), 0, shown};
 }
 
-/// \param fine how much of features finer than the size is shown, 0..1.
-PatternValue Pattern::at(glm::dvec3 point, double fine) const {
+/// \param fine how much of features finer than the size is shown at each point, 0..1.
+std::vector<PatternValue> Pattern::at(std::vector<glm::dvec3> points, std::span<const double> fine) const {
+  if (points.empty()) return {};
+  for (glm::dvec3& point : points) point = turned(point);
+
   // Noise moves places, so that the pattern wanders.
-  point = turned(point);
   const std::uint32_t seed = shape_.seed;
   if (detail_.wander > 0) {
-    const double a = gradient_noise(point * 0.45, seed + 1), b = gradient_noise(point * 0.45 + 7.3, seed + 2);
-    point += 1.6 * detail_.wander * glm::dvec3(a, b, -a);
+    const std::vector<double> a = noise_at(points, 0.45, 0, seed + 1), b = noise_at(points, 0.45, 7.3, seed + 2);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] += 1.6 * detail_.wander * glm::dvec3(a[i], b[i], -a[i]);
   }
 
   // Fibres and streaks lie where noise exceeds a threshold; the other kinds are dots, or borders of cells.
+  if (detail_.kind == DetailKind::fibres || detail_.kind == DetailKind::streaks) return of_lines(points, fine);
+  std::vector<PatternValue> values;
+  values.reserve(points.size());
+  for (const glm::dvec3& point : points) values.push_back(of_cells(point));
+  return values;
+}
+
+std::vector<PatternValue> Pattern::of_lines(std::span<const glm::dvec3> points, std::span<const double> fine) const {
+  const std::uint32_t seed = shape_.seed;
+  std::vector<double> noise = noise_at(points, 1, 0, seed);
+  if (std::any_of(fine.begin(), fine.end(), [](double f) { return f > 0; })) {
+    const std::vector<double> finer = noise_at(points, 2.0, 3.1, seed + 3);
+    for (std::size_t i = 0; i < noise.size(); ++i)
+      if (fine[i] > 0) noise[i] += 0.5 * fine[i] * finer[i];
+  }
+  if (detail_.kind == DetailKind::streaks) {
+    const std::vector<double> coarser = noise_at(points, 0.23, 5.7, seed + 4);
+    for (std::size_t i = 0; i < noise.size(); ++i) noise[i] += 0.6 * coarser[i];
+  }
+  std::vector<PatternValue> values(points.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i].share = smoothstep(shape_.threshold - shape_.ramp, shape_.threshold + shape_.ramp, noise[i]);
+  return values;
+}
+
+PatternValue Pattern::of_cells(const glm::dvec3& point) const {
+  const std::uint32_t seed = shape_.seed;
   switch (detail_.kind) {
-    case DetailKind::fibres:
-    case DetailKind::streaks: {
-      double noise = gradient_noise(point, seed);
-      if (fine > 0) noise += 0.5 * fine * gradient_noise(2.0 * point + 3.1, seed + 3);
-      if (detail_.kind == DetailKind::streaks) noise += 0.6 * gradient_noise(0.23 * point + 5.7, seed + 4);
-      return {smoothstep(shape_.threshold - shape_.ramp, shape_.threshold + shape_.ramp, noise), 0};
-    }
     case DetailKind::speckles: {
       const double first = dots(detail_, shape_.pitch * point, shape_.pitch, seed);
       const double second = dots(detail_, shape_.pitch * point + 0.5, shape_.pitch, seed + 5);
@@ -182,6 +235,9 @@ PatternValue Pattern::at(glm::dvec3 point, double fine) const {
       const double shade = smoothstep(rim, rim + soft, border) * (1 - smoothstep(rim + soft, rim + 3 * soft, border));
       return {line, -detail_.variety * shade};
     }
+    case DetailKind::fibres:
+    case DetailKind::streaks:
+      break;  // of_lines()
     case DetailKind::example:
       break;  // without a tile there is nothing to show
   }

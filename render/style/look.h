@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "generator/cut/section/detail_guide.h"
@@ -33,6 +34,9 @@ class Look {
   /// Two cuts of a fruit agree where they meet.
   Color operator()(const Color& unmodulated, const LookPlace& place) const;
 
+  /// The same at many places, several times as fast: a thousand at a time fit the processor's caches.
+  std::vector<Color> operator()(std::span<const Color> unmodulated, std::span<const LookPlace> places) const;
+
   /// How high the details stand out at a place, and how far that lies below their mean: the sum over them of
   ///   relief guide.share exp(-|OKLab(unmodulated) - OKLab(near)|^2 / 2 near_within^2) s
   /// with s the pattern's share there; patterns too fine for the footprint have their mean height.
@@ -41,6 +45,9 @@ class Look {
     double below = 0;   ///< how far it lies below the mean of each pattern, relative to that pattern's size
   };
   Height height(const Color& unmodulated, const LookPlace& place) const;
+
+  /// The same at many places, several times as fast.
+  std::vector<Height> height(std::span<const Color> unmodulated, std::span<const LookPlace> places) const;
 
   /// Whether any detail of faces of this kind has a relief.
   bool has_relief(DetailFace face) const;
@@ -60,11 +67,8 @@ class Look {
   static constexpr double tone_step = 0.12;  ///< step of OKLab lightness for a tone of 1
 
  private:
-  Color with_examples(const Color& modulated, const Color& unmodulated, const LookPlace& place) const;
-
   Modulation modulation_;
   std::array<std::vector<Detail>, 2> details_;  ///< details for each kind of face
-  bool has_examples_ = false;
 };
 
 }  // namespace pomona

@@ -2,6 +2,9 @@
 // all depth beyond the mesh; no vertex moves.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include <glm/vec3.hpp>
 
 #include "generator/base/color.h"
@@ -25,6 +28,10 @@ Relief relief_at(const Look& look, const Color& unmodulated, const LookPlace& pl
 /// place would make single texels of lines as narrow as a texel. Steep walls are flattened, as a film of juice rounds
 /// them: a texel holds one normal.
 Relief relief_over_texel(const Look& look, const Color& unmodulated, const LookPlace& place, const glm::dvec3& normal);
+
+/// The same for many texels, several times as fast. All spans are equally long.
+std::vector<Relief> reliefs_over_texels(const Look& look, std::span<const Color> unmodulated,
+                                        std::span<const LookPlace> places, std::span<const glm::dvec3> normals);
 
 /// The guide at a neighbouring place: the way to the skin and the layer change by as much as it lies nearer to the
 /// skin.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -11,7 +12,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t chunk_size = 4096;
+constexpr std::size_t chunk_size = 1024;  // samples; their looks fit the processor's caches
 
 std::size_t chunks(std::size_t count) { return (count + chunk_size - 1) / chunk_size; }
 
@@ -47,8 +48,11 @@ std::vector<Color> SampleColors::plain(const std::vector<TexelSample>& samples) 
 std::vector<Color> SampleColors::styled(const std::vector<TexelSample>& samples, std::vector<Color> colors) const {
   if (look_.is_plain() && paint_.is_plain()) return colors;
   parallel_for(chunks(samples.size()), threads_, [&](std::size_t chunk) {
-    for_chunk(chunk, samples.size(),
-              [&](std::size_t i) { colors[i] = paint_(look_(colors[i], look_place(samples[i]))); });
+    std::vector<LookPlace> places;
+    for_chunk(chunk, samples.size(), [&](std::size_t i) { places.push_back(look_place(samples[i])); });
+    const std::span<Color> own = std::span(colors).subspan(chunk * chunk_size, places.size());
+    const std::vector<Color> seen = look_(own, places);
+    for (std::size_t i = 0; i < seen.size(); ++i) own[i] = paint_(seen[i]);
   });
   return colors;
 }

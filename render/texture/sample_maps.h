@@ -9,6 +9,7 @@
 #include "generator/piece/solid.h"
 #include "render/style/face_relief.h"
 #include "render/style/look.h"
+#include "render/style/relief.h"
 #include "render/style/skin_pits.h"
 #include "render/texture/shine.h"
 #include "render/texture/texels.h"
@@ -46,7 +47,9 @@ class SampleMaps {
   }
 
  private:
-  MapSample at(const TexelSample& sample, const Color& plain) const;
+  glm::dvec3 normal_at(const TexelSample& sample) const;
+  MapSample at(const TexelSample& sample, const glm::dvec3& place, const glm::dvec3& normal,
+               const Relief& relief) const;
   LookPlace look_place(const TexelSample& sample, const glm::dvec3& place) const;
   double roughness(std::uint32_t triangle, double own, const glm::dvec3& place) const;
 

@@ -66,6 +66,25 @@ TEST(Noise, IsContinuousEverywhereAroundTheAxisToo) {
   }
 }
 
+TEST(Noise, ManyPlacesHaveTheBitsThatEachHasAlone) {
+  NoiseStyle style = two_keys();
+  for (const glm::dvec3& stretch : {glm::dvec3(1), glm::dvec3(0.2, 1, 1), glm::dvec3(1, 0.1, 2)}) {
+    style.stretch = stretch;
+    const Modulation modulation(style);
+    std::vector<Color> colors;
+    std::vector<glm::dvec3> positions;
+    std::vector<double> footprints;
+    for (std::uint64_t i = 0; i < 1003; ++i) {
+      colors.emplace_back(0.6f, 0.02f + 8e-4f * static_cast<float>(i), 0.1f);
+      positions.push_back(some_point(i, 0.08));
+      footprints.push_back(1e-5 * static_cast<double>(i));  // from all bands to none
+    }
+    const std::vector<Color> all = modulation(colors, positions, footprints);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      ASSERT_EQ(modulation(colors[i], positions[i], footprints[i]), all[i]) << i;
+  }
+}
+
 TEST(Noise, PatternsHaveNothingInCommon) {
   for (const glm::dvec3& stretch : {glm::dvec3(1), glm::dvec3(0.2, 1, 1)}) {
     NoiseStyle drawn = two_keys(), own = drawn, others = drawn;

@@ -87,7 +87,7 @@ HEAVY = {
     "Highway": (r"hwy/", r"(generator|tests)/diffusion/(\w+/)?\w+\.(cpp|h)"),
     "Eigen": (r"Eigen/", r"tests/\w+/\w+\.cpp|bench/baselines/tetrahedral_poisson\.cpp"),
     "TBB": (r"(tbb|oneapi/tbb)/", r"generator/base/parallel\.cpp"),
-    "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
+    "SLEEF": (r"sleef\.h", r"generator/base/(reproducible|many_values)\.cpp"),
     "Nettle": (r"nettle/", r"generator/base/(sha256|base64)\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),
     "pybind11": (r"pybind11/", r"python/binding/python\.h"),
