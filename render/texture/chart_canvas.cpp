@@ -19,9 +19,8 @@ void around(const glm::ivec2& p, const Visit& visit) {
   }
 }
 
-glm::u8vec3 eight_bits_of(const glm::vec3& share) {
-  return {glm::floor(glm::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f)};
-}
+/// Rounds to nearest: integers of what is not negative are rounded down.
+glm::u8vec3 eight_bits_of(const glm::vec3& share) { return {glm::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f}; }
 
 }  // namespace
 
@@ -40,17 +39,20 @@ std::vector<OwnedBox> owned_boxes(const Atlas& atlas) {
   return boxes;
 }
 
-ChartCanvas::ChartCanvas(const Atlas& atlas, std::size_t chart, const OwnedBox& box)
-    : atlas_(atlas), chart_(static_cast<std::int32_t>(chart)), low_(box.low), high_(box.high) {
+ChartCanvas::ChartCanvas(const Atlas& atlas, std::size_t chart, const OwnedBox& box) : low_(box.low), high_(box.high) {
   const glm::ivec2 size = high_ - low_;
   color_.assign(static_cast<std::size_t>(size.x) * size.y, Color(0));
-  filled_.assign(color_.size(), 0);
-}
+  state_.assign(color_.size(), State::foreign);
 
-bool ChartCanvas::owns(int x, int y) const {
-  if (x < low_.x || y < low_.y || x >= high_.x || y >= high_.y) return false;
-  const int block = atlas_.block();
-  return atlas_.owner[static_cast<std::size_t>(y / block) * atlas_.blocks().x + x / block] == chart_;
+  // The box begins and ends with whole blocks.
+  const int block = atlas.block();
+  for (int y = low_.y; y < high_.y; ++y) {
+    const std::int32_t* const owner = &atlas.owner[static_cast<std::size_t>(y / block) * atlas.blocks().x];
+    for (int x = low_.x; x < high_.x; x += block) {
+      if (owner[x / block] != static_cast<std::int32_t>(chart)) continue;
+      std::fill_n(&state_[at(x, y)], std::min(block, high_.x - x), State::empty);
+    }
+  }
 }
 
 void ChartCanvas::fill_with(const Color& color) {
@@ -95,7 +97,7 @@ std::vector<glm::ivec2> ChartCanvas::border() const {
   std::vector<glm::ivec2> ring;
   for (int y = low_.y; y < high_.y; ++y) {
     for (int x = low_.x; x < high_.x; ++x) {
-      if (!owns(x, y) || filled_[at(x, y)] != 0) continue;
+      if (state_[at(x, y)] != State::empty) continue;
       bool is_beside = false;
       around({x, y}, [&](int u, int v) { is_beside = is_beside || has(u, v); });
       if (is_beside) ring.emplace_back(x, y);
@@ -108,12 +110,12 @@ std::vector<glm::ivec2> ChartCanvas::beside(const std::vector<glm::ivec2>& ring)
   std::vector<glm::ivec2> next;
   for (const glm::ivec2& p : ring) {
     around(p, [&](int x, int y) {
-      if (!owns(x, y) || filled_[at(x, y)] != 0) return;
-      filled_[at(x, y)] = 2;
+      if (!is_within(x, y) || state_[at(x, y)] != State::empty) return;
+      state_[at(x, y)] = State::next;
       next.emplace_back(x, y);
     });
   }
-  for (const glm::ivec2& p : next) filled_[at(p.x, p.y)] = 0;
+  for (const glm::ivec2& p : next) state_[at(p.x, p.y)] = State::empty;
   return next;
 }
 

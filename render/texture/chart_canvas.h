@@ -26,12 +26,12 @@ class ChartCanvas {
   ChartCanvas(const Atlas& atlas, std::size_t chart, const OwnedBox& box);
 
   // Whether a texel of the atlas belongs to the chart, and whether it already has a colour.
-  bool owns(int x, int y) const;
-  bool has(int x, int y) const { return owns(x, y) && filled_[at(x, y)] != 0; }
+  bool owns(int x, int y) const { return is_within(x, y) && state_[at(x, y)] != State::foreign; }
+  bool has(int x, int y) const { return is_within(x, y) && state_[at(x, y)] == State::filled; }
   Color& color(int x, int y) { return color_[at(x, y)]; }
   void set(int x, int y, const Color& color) {
     color_[at(x, y)] = color;
-    filled_[at(x, y)] = 1;
+    if (state_[at(x, y)] != State::foreign) state_[at(x, y)] = State::filled;
   }
 
   /// The box of what it owns; high lies outside.
@@ -54,6 +54,10 @@ class ChartCanvas {
   void write_opacity(TransparentImage& image) const;
 
  private:
+  enum class State : std::uint8_t { foreign, empty, filled, next };  // foreign: another chart's, or nobody's
+
+  bool is_within(int x, int y) const { return x >= low_.x && y >= low_.y && x < high_.x && y < high_.y; }
+
   template <typename Encode>
   void write_as(Image& image, const Encode& encode) const {
     for (int y = low_.y; y < high_.y; ++y) {
@@ -73,11 +77,9 @@ class ChartCanvas {
 
   Color mean_beside(const glm::ivec2& p) const;
 
-  const Atlas& atlas_;
-  std::int32_t chart_;
   glm::ivec2 low_, high_;
   std::vector<Color> color_;
-  std::vector<std::uint8_t> filled_;
+  std::vector<State> state_;
 };
 
 }  // namespace pomona
