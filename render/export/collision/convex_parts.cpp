@@ -16,6 +16,7 @@
 #include "generator/mesh/principal_axes.h"
 #include "render/export/collision/cut_surface.h"
 #include "render/export/collision/hull_bulge.h"
+#include "render/export/collision/hull_cut.h"
 #include "render/export/collision/solid_bodies.h"
 
 namespace pomona {
@@ -135,22 +136,6 @@ std::optional<std::array<RoughPart, 2>> best_cut(const RoughPart& part) {
   return best;
 }
 
-/// What of the hull lies behind the plane.
-ConvexHull behind(const ConvexHull& hull, const CuttingPlane& plane, std::size_t corners) {
-  const auto height = [&](const glm::vec3& p) { return glm::dot(plane.normal, glm::dvec3(p)) - plane.offset; };
-  std::vector<glm::vec3> points;
-  for (const glm::vec3& p : hull.position)
-    if (height(p) <= 0) points.push_back(p);
-  for (const glm::uvec3& t : hull.triangle) {
-    for (int k = 0; k < 3; ++k) {
-      const glm::vec3 a = hull.position[t[k]], b = hull.position[t[(k + 1) % 3]];
-      const double from = height(a), to = height(b);
-      if (from < 0 && to > 0) points.emplace_back(glm::dvec3(a) + from / (from - to) * glm::dvec3(b - a));
-    }
-  }
-  return convex_hull(points, corners);
-}
-
 /// The hull without what stands out of the solid into its hollows: cut off by planes that touch the solid.
 ConvexHull trimmed(ConvexHull hull, const CutSurface& surface, const ConvexPartsOptions& options) {
   std::vector<char> given_up(surface.skin.size(), 0);
@@ -171,17 +156,6 @@ ConvexHull trimmed(ConvexHull hull, const CutSurface& surface, const ConvexParts
 }
 
 }  // namespace
-
-double volume_of(const ConvexHull& hull) {
-  if (hull.triangle.empty()) return 0;
-  const glm::dvec3 middle(hull.position.front());
-  double six_times = 0;
-  for (const glm::uvec3& t : hull.triangle) {
-    six_times += glm::dot(glm::dvec3(hull.position[t.x]) - middle,
-                          glm::cross(glm::dvec3(hull.position[t.y]) - middle, glm::dvec3(hull.position[t.z]) - middle));
-  }
-  return six_times / 6;
-}
 
 std::vector<ConvexHull> convex_parts(const Solid& solid, const ConvexPartsOptions& options) {
   std::vector<RoughPart> parts;

@@ -23,7 +23,4 @@ struct ConvexPartsOptions {
 /// inside is not known, the parts are hulls of what planes leave of its surface.
 std::vector<ConvexHull> convex_parts(const Solid& solid, const ConvexPartsOptions& options = {});
 
-/// The volume of a hull, cubic metres.
-double volume_of(const ConvexHull& hull);
-
 }  // namespace pomona

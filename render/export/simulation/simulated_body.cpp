@@ -12,6 +12,7 @@
 #include "generator/mesh/moments.h"
 #include "generator/piece/piece_facts.h"
 #include "render/export/collision/collision_shape.h"
+#include "render/export/collision/hulls_apart.h"
 #include "render/export/piece_words.h"
 #include "render/export/up_axis.h"
 #include "render/export/weld.h"
@@ -91,6 +92,26 @@ double lowest_of(const SimulatedScene& scene) {
   return lowest;
 }
 
+/// The scene with hulls that leave room for each other.
+SimulatedScene with_hulls_apart(SimulatedScene made, Threads threads) {
+  std::vector<StandingHulls> standing;
+  for (const SimulatedBody& body : made.bodies) {
+    const SimulatedKind& kind = made.kinds[static_cast<std::size_t>(body.kind)];
+    StandingHulls hulls{.parts = {}, .place = body.place, .rotation = body.rotation, .gives_way = kind.moves};
+    for (const HullMesh& part : kind.hulls) hulls.parts.push_back(&part.hull);
+    standing.push_back(std::move(hulls));
+  }
+  std::vector<TrimmedHulls> trimmed = hulls_apart(standing, threads);
+  for (std::size_t i = 0; i < trimmed.size(); ++i) {
+    SimulatedBody& body = made.bodies[i];
+    for (ConvexHull& hull : trimmed[i].parts) {
+      const std::string number = std::to_string(body.own_hulls.size() + 1);
+      body.own_hulls.push_back({body.name + "_trimmed_" + number, std::move(hull)});
+    }
+  }
+  return made;
+}
+
 /// The scene with its welds. Each solid of a cut is there once.
 SimulatedScene welded(SimulatedScene made, const Scene& scene) {
   std::map<int, int> body_of;
@@ -130,6 +151,10 @@ std::string xml_text(const std::string& text) {
   return escaped;
 }
 
+const std::vector<HullMesh>& hulls_of(const SimulatedScene& scene, const SimulatedBody& body) {
+  return body.own_hulls.empty() ? scene.kinds[static_cast<std::size_t>(body.kind)].hulls : body.own_hulls;
+}
+
 SimulatedScene simulated_scene(const Scene& scene, const ExportOptions& options) {
   SimulatedScene made;
   const std::vector<StyledMesh> meshes = styled_meshes(scene, options);
@@ -145,7 +170,7 @@ SimulatedScene simulated_scene(const Scene& scene, const ExportOptions& options)
                            rotation_with_up(UpAxis::z, rotation)});
   }
   made.ground = lowest_of(made);
-  return options.welded ? welded(std::move(made), scene) : made;
+  return options.welded ? welded(std::move(made), scene) : with_hulls_apart(std::move(made), options.threads);
 }
 
 }  // namespace pomona

@@ -46,6 +46,9 @@ struct SimulatedBody {
   glm::dvec3 place{0};
   glm::dquat rotation{1, 0, 0, 0};
 
+  /// Its own in place of the kind's, where its neighbours leave no room for those.
+  std::vector<HullMesh> own_hulls = {};
+
   /// Welded around a spared part: a stone fills its socket, and hulls of the two overlap. Such bodies do not collide
   /// with each other.
   bool is_around_spared = false;
@@ -67,7 +70,12 @@ struct SimulatedScene {
   double ground = 0;                 ///< height of the ground, which nothing begins below
 };
 
-/// An open piece, whose inside is not known, has the inertia of its hull.
+/// What the body collides with.
+const std::vector<HullMesh>& hulls_of(const SimulatedScene& scene, const SimulatedBody& body);
+
+/// Pieces begin outside each other and their dishes, but for those that welds join: where hulls would overlap, a body
+/// has its own, cut off [render/export/collision/hulls_apart.h]. An open piece, whose inside is not known, has the
+/// inertia of its hull.
 SimulatedScene simulated_scene(const Scene& scene, const ExportOptions& options);
 
 /// Letters, digits and underscores in place of what names of models do not take.

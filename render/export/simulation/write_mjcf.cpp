@@ -54,7 +54,7 @@ std::string rgba(const VisualMesh& visual) {
 }
 
 /// What one sees is as thin as a shell: it has no inside, and its mass counts nothing.
-void append_assets(std::string& text, const SimulatedKind& kind) {
+void append_visuals(std::string& text, const SimulatedKind& kind) {
   for (VisualMesh visual : kind.visuals) {
     // MuJoCo takes no mesh of fewer vertices than a tetrahedron has.
     while (visual.position.size() < 4) {
@@ -65,12 +65,22 @@ void append_assets(std::string& text, const SimulatedKind& kind) {
             points_text(visual.position, of_points) + "\" normal=\"" + points_text(visual.normal, 1e-3) + "\" face=\"" +
             corners_text(visual.triangle) + "\"/>\n";
   }
-  for (const HullMesh& part : kind.hulls)
-    text += "    <mesh name=\"" + part.name + "\" vertex=\"" + points_text(part.hull.position, of_points) +
-            "\" face=\"" + corners_text(part.hull.triangle) + "\"/>\n";
 }
 
-void append_body(std::string& text, const SimulatedBody& body, const SimulatedKind& kind) {
+/// What bodies collide with, each once.
+void append_hulls(std::string& text, const SimulatedScene& made) {
+  std::set<std::string> known;
+  for (const SimulatedBody& body : made.bodies) {
+    for (const HullMesh& part : hulls_of(made, body)) {
+      if (!known.insert(part.name).second) continue;
+      text += "    <mesh name=\"" + part.name + "\" vertex=\"" + points_text(part.hull.position, of_points) +
+              "\" face=\"" + corners_text(part.hull.triangle) + "\"/>\n";
+    }
+  }
+}
+
+void append_body(std::string& text, const SimulatedScene& made, const SimulatedBody& body) {
+  const SimulatedKind& kind = made.kinds[static_cast<std::size_t>(body.kind)];
   text += "    <body name=\"" + body.name + "\" pos=\"" + exact_words(body.place) + "\" quat=\"" + wxyz(body.rotation) +
           "\">\n";
   if (kind.moves) {
@@ -83,7 +93,7 @@ void append_body(std::string& text, const SimulatedBody& body, const SimulatedKi
     text += "      <geom class=\"seen\" mesh=\"" + visual.name + "\" rgba=\"" + rgba(visual) + "\"/>\n";
   // Their contype meets the conaffinity of all others, and that of none of their like.
   const std::string_view collides = body.is_around_spared ? " conaffinity=\"0\"" : "";
-  for (const HullMesh& part : kind.hulls)
+  for (const HullMesh& part : hulls_of(made, body))
     text += "      <geom class=\"felt\" mesh=\"" + part.name + "\"" + std::string(collides) + "/>\n";
   text += "    </body>\n";
 }
@@ -132,13 +142,13 @@ std::string write_mjcf(const Scene& scene, const ExportOptions& options) {
       "  </default>\n  <asset>\n";
   std::set<int> used;
   for (const SimulatedBody& body : made.bodies)
-    if (used.insert(body.kind).second) append_assets(text, made.kinds[static_cast<std::size_t>(body.kind)]);
+    if (used.insert(body.kind).second) append_visuals(text, made.kinds[static_cast<std::size_t>(body.kind)]);
+  append_hulls(text, made);
   text += "  </asset>\n  <worldbody>\n    <light pos=\"0.5 -1 2\" dir=\"-0.2 0.4 -0.9\" directional=\"true\"/>\n";
   text += camera_text(scene.view);
   text += "    <geom name=\"ground\" type=\"plane\" size=\"0 0 0.1\" pos=\"0 0 " + exact(made.ground) +
           "\" rgba=\"0.93 0.90 0.83 1\" " + contact + "/>\n";
-  for (const SimulatedBody& body : made.bodies)
-    append_body(text, body, made.kinds[static_cast<std::size_t>(body.kind)]);
+  for (const SimulatedBody& body : made.bodies) append_body(text, made, body);
   text += "  </worldbody>\n";
   append_welds(text, made);
   return text + "</mujoco>\n";

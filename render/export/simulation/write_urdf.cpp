@@ -30,9 +30,9 @@ class UrdfWriter {
     files_.text = "<?xml version=\"1.0\"?>\n<!-- Made by Pomona. " + comment(provenance) + " -->\n<robot name=\"" +
                   plain_name(stem_) + "\">\n  <link name=\"scene\"/>\n";
     for (const SimulatedBody& body : scene.bodies) {
-      const SimulatedKind& kind = scene.kinds[static_cast<std::size_t>(body.kind)];
-      if (known_.insert(body.kind).second) add_meshes(kind);
-      add_link(body, kind);
+      if (known_.insert(body.kind).second) add_visuals(scene.kinds[static_cast<std::size_t>(body.kind)]);
+      add_hulls(hulls_of(scene, body));
+      add_link(scene, body);
     }
     files_.text += "</robot>\n";
     return std::move(files_);
@@ -48,12 +48,16 @@ class UrdfWriter {
 
   std::string file_of(const std::string& mesh) const { return stem_ + "_" + mesh + ".obj"; }
 
-  void add_meshes(const SimulatedKind& kind) {
+  void add_visuals(const SimulatedKind& kind) {
     for (const VisualMesh& visual : kind.visuals) {
       files_.meshes.push_back(
           {file_of(visual.name), write_obj(visual.position, visual.normal, visual.triangle, glm::vec3(0))});
     }
-    for (const HullMesh& part : kind.hulls) {
+  }
+
+  void add_hulls(const std::vector<HullMesh>& hulls) {
+    for (const HullMesh& part : hulls) {
+      if (!known_hulls_.insert(part.name).second) continue;
       files_.meshes.push_back(
           {file_of(part.name), write_obj(part.hull.position, {}, part.hull.triangle, glm::vec3(0))});
     }
@@ -63,7 +67,8 @@ class UrdfWriter {
     return "<geometry><mesh filename=\"" + xml_text(file_of(mesh)) + "\"/></geometry>";
   }
 
-  void add_link(const SimulatedBody& body, const SimulatedKind& kind) {
+  void add_link(const SimulatedScene& scene, const SimulatedBody& body) {
+    const SimulatedKind& kind = scene.kinds[static_cast<std::size_t>(body.kind)];
     std::string& text = files_.text;
     text += "  <link name=\"" + body.name + "\">\n";
     if (kind.moves) {
@@ -80,7 +85,8 @@ class UrdfWriter {
       append_number(text, static_cast<double>(visual.opacity), 1e-3);
       text += "\"/></material></visual>\n";
     }
-    for (const HullMesh& part : kind.hulls) text += "    <collision>" + geometry(part.name) + "</collision>\n";
+    for (const HullMesh& part : hulls_of(scene, body))
+      text += "    <collision>" + geometry(part.name) + "</collision>\n";
     text += "  </link>\n  <joint name=\"" + body.name + "_joint\" type=\"" + (kind.moves ? "floating" : "fixed") +
             "\">\n    <origin xyz=\"" + exact_words(body.place) + "\" rpy=\"" +
             exact_words(roll_pitch_yaw(body.rotation)) + "\"/>\n    <parent link=\"scene\"/>\n    <child link=\"" +
@@ -90,6 +96,7 @@ class UrdfWriter {
   const std::string& stem_;
   UrdfFiles files_;
   std::set<int> known_;
+  std::set<std::string> known_hulls_;
 };
 
 }  // namespace

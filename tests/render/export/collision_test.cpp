@@ -3,6 +3,7 @@
 #include "render/export/collision/convex_parts.h"
 #include "render/export/collision/cut_surface.h"
 #include "render/export/collision/hull_bulge.h"
+#include "render/export/collision/hull_cut.h"
 #include "render/export/collision/solid_bodies.h"
 
 #include <gtest/gtest.h>
