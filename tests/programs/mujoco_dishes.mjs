@@ -117,7 +117,7 @@ for (const asked of scenes) {
     }));
   const dishes = bodies.filter((body) => !body.moves), pieces = bodies.filter((body) => body.moves);
   assert(dishes.length && pieces.length, `${title}: dishes and pieces`);
-  let worst = -Infinity, worstName = '', parts = 0, settled = 0;
+  let worst = unseen, worstName = '', parts = 0, settled = 0;
   for (const dish of dishes) {
     const [w, x, y, z] = dish.quat;
     const hulls = dish.geoms('felt').map(planesOf), solid = dish.geoms('seen').flatMap(trianglesOf);
@@ -129,7 +129,7 @@ for (const asked of scenes) {
           const inDish = turned([w, -x, -y, -z], [0, 1, 2].map((k) => p[k] + piece.pos[k] - dish.pos[k]));
           for (const planes of hulls) {
             const inPart = depthIn(planes, inDish);
-            if (inPart <= Math.max(worst, unseen)) continue;
+            if (inPart <= worst) continue;
             // The settling lets pieces overlap by up to 2 % of their size. That is no fault of the part.
             const own = depthWithin(solid, inDish), depth = inPart - own;
             settled = Math.max(settled, own);
@@ -160,8 +160,11 @@ for (const asked of scenes) {
   const fled = moved.filter(([, way]) => way > 0.15);
   assert.deepEqual(fled, [], `${title}: thrown out`);
   const farthest = Math.max(...moved.map(([, way]) => way));
-  console.log(`${title}: ${dishes.length} dishes in ${parts} parts, ${pieces.length} pieces; parts stand out by ${
-    millimetres(worst)}, settled ${millimetres(settled)} deep; shapes begin ${millimetres(start.depth)} deep, push ${
-    push.toFixed(2)} m/s, move ${millimetres(farthest)}`);
+  console.log([
+    `${title}: ${dishes.length} dishes in ${parts} parts, ${pieces.length} pieces`,
+    `parts stand out by ${millimetres(worst)} at most, settled ${millimetres(settled)} deep`,
+    `shapes begin ${millimetres(start.depth)} deep`,
+    `push ${push.toFixed(2)} m/s, move ${millimetres(farthest)}`,
+  ].join('; '));
   simulation.close();
 }

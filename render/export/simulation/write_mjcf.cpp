@@ -67,16 +67,24 @@ void append_visuals(std::string& text, const SimulatedKind& kind) {
   }
 }
 
-/// What bodies collide with, each once.
-void append_hulls(std::string& text, const SimulatedScene& made) {
-  std::set<std::string> known;
+void append_hulls(std::string& text, const std::vector<HullMesh>& hulls) {
+  for (const HullMesh& part : hulls)
+    text += "    <mesh name=\"" + part.name + "\" vertex=\"" + points_text(part.hull.position, of_points) +
+            "\" face=\"" + corners_text(part.hull.triangle) + "\"/>\n";
+}
+
+/// The meshes of each kind once, then those of single bodies.
+void append_assets(std::string& text, const SimulatedScene& made) {
+  std::set<int> felt, used;
+  for (const SimulatedBody& body : made.bodies)
+    if (body.own_hulls.empty()) felt.insert(body.kind);
   for (const SimulatedBody& body : made.bodies) {
-    for (const HullMesh& part : hulls_of(made, body)) {
-      if (!known.insert(part.name).second) continue;
-      text += "    <mesh name=\"" + part.name + "\" vertex=\"" + points_text(part.hull.position, of_points) +
-              "\" face=\"" + corners_text(part.hull.triangle) + "\"/>\n";
-    }
+    if (!used.insert(body.kind).second) continue;
+    const SimulatedKind& kind = made.kinds[static_cast<std::size_t>(body.kind)];
+    append_visuals(text, kind);
+    if (felt.count(body.kind)) append_hulls(text, kind.hulls);
   }
+  for (const SimulatedBody& body : made.bodies) append_hulls(text, body.own_hulls);
 }
 
 void append_body(std::string& text, const SimulatedScene& made, const SimulatedBody& body) {
@@ -140,10 +148,7 @@ std::string write_mjcf(const Scene& scene, const ExportOptions& options) {
       std::string(contact) +
       "/>\n    </default>\n"
       "  </default>\n  <asset>\n";
-  std::set<int> used;
-  for (const SimulatedBody& body : made.bodies)
-    if (used.insert(body.kind).second) append_visuals(text, made.kinds[static_cast<std::size_t>(body.kind)]);
-  append_hulls(text, made);
+  append_assets(text, made);
   text += "  </asset>\n  <worldbody>\n    <light pos=\"0.5 -1 2\" dir=\"-0.2 0.4 -0.9\" directional=\"true\"/>\n";
   text += camera_text(scene.view);
   text += "    <geom name=\"ground\" type=\"plane\" size=\"0 0 0.1\" pos=\"0 0 " + exact(made.ground) +
