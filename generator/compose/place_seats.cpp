@@ -8,7 +8,7 @@
 #include "generator/surface/sweep/body_map.h"
 #include "generator/surface/sweep/grid_place.h"
 #include "generator/surface/sweep/law_seats.h"
-#include "generator/surface/sweep/swept_grid.h"
+#include "generator/surface/sweep/surface_grids.h"
 
 namespace pomona {
 

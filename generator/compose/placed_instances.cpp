@@ -12,7 +12,7 @@
 #include "generator/compose/place_seats.h"
 #include "generator/compose/press.h"
 #include "generator/compose/stalk.h"
-#include "generator/surface/sweep/swept_grid.h"
+#include "generator/surface/sweep/surface_grids.h"
 #include "generator/template/read/entry_place.h"
 #include "generator/variation/species_key.h"
 

@@ -1,10 +1,12 @@
 // The paint on one side of a surface.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "generator/base/color.h"
+#include "generator/template/cell_sketch.h"
 #include "generator/template/ramp.h"
 #include "generator/template/spot_sketch.h"
 
@@ -43,12 +45,13 @@ struct PaintedBlur {
 };
 
 /// One side of a surface. `part` indexes Template::parts. Hidden: the side faces air.
-/// Coats lie over the ground in their order, spots over the coats.
+/// Coats lie over the ground in their order, cells over the coats, spots over the cells.
 struct Side {
   int part = 0;
   PaintedColor color;
   bool hidden = false;
   std::vector<Coat> coats = {};
+  std::optional<CellSketch> cells = {};
   std::vector<SpotSketch> spots = {};
 };
 

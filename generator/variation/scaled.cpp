@@ -8,17 +8,18 @@ void scale(Curve& curve, double factor) {
   for (glm::dvec2& p : curve.points) p *= factor;
 }
 
+void scale(Ramp<double>& lengths, double factor) {
+  for (auto& stop : lengths.stops) stop.value *= factor;
+}
+
 void scale(Side& side, double factor) {
+  if (side.cells) scale(side.cells->raise, factor);
   for (SpotSketch& spot : side.spots) {
     spot.spacing *= factor;
     spot.size_min *= factor;
     spot.size_max *= factor;
     spot.relief *= factor;
   }
-}
-
-void scale(Ramp<double>& lengths, double factor) {
-  for (auto& stop : lengths.stops) stop.value *= factor;
 }
 
 void scale(SurfaceSketch& surface, double factor) {

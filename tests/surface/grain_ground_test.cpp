@@ -15,6 +15,7 @@
 #include "generator/mesh/enclosures.h"
 #include "generator/surface/grains/grains.h"
 #include "generator/surface/sweep/dart_throwing.h"
+#include "generator/surface/sweep/surface_grids.h"
 #include "generator/surface/sweep/sweep.h"
 #include "tests/surface/sketches.h"
 

@@ -14,6 +14,7 @@
 #include "generator/surface/sweep/grid_place.h"
 #include "generator/surface/sweep/law_seats.h"
 #include "generator/surface/sweep/spots.h"
+#include "generator/surface/sweep/surface_grids.h"
 #include "tests/surface/sketches.h"
 
 namespace pomona {

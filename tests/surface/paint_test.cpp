@@ -13,6 +13,7 @@
 #include "generator/base/units.h"
 #include "generator/surface/sweep/grid_place.h"
 #include "generator/surface/sweep/spots.h"
+#include "generator/surface/sweep/surface_grids.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/variation/vary.h"
 #include "tests/surface/sketches.h"

@@ -17,7 +17,7 @@
 #include "generator/surface/sweep/dart_throwing.h"
 #include "generator/surface/sweep/grid_painter.h"
 #include "generator/surface/sweep/law_seats.h"
-#include "generator/surface/sweep/swept_grid.h"
+#include "generator/surface/sweep/surface_grids.h"
 #include "generator/template/read/entry_place.h"
 
 namespace pomona {

@@ -17,7 +17,7 @@
 #include "generator/surface/sweep/body_map.h"
 #include "generator/surface/sweep/dart_cells.h"
 #include "generator/surface/sweep/profile.h"
-#include "generator/surface/sweep/swept_grid.h"
+#include "generator/surface/sweep/surface_grids.h"
 
 namespace pomona {
 

@@ -26,7 +26,8 @@ SidePaint::SidePaint(const Side& side)
     : along_(side.color.along),
       around_(side.color.around),
       turn_(side.color.turn),
-      folds_(side.color.folds, Color(1.0f)) {
+      folds_(side.color.folds, Color(1.0f)),
+      cells_(side.cells) {
   for (const Coat& coat : side.coats) coats_.emplace_back(coat);
 }
 
@@ -37,6 +38,8 @@ Color SidePaint::operator()(const PaintPlace& place) const {
         coat.along(place.along) * coat.around(place.around) * coat.turn(place.turn) * coat.folds(place);
     color = blended(color, coat.color(place.along), share);
   }
+  if (cells_ && place.cell)
+    color = blended(color, cells_->color(*place.cell), cells_->cover(*place.cell) * cells_->along(place.along));
   return color;
 }
 
@@ -65,9 +68,11 @@ void GridPainter::append(const SweptGrid& grid) {
 }
 
 void GridPainter::append_vertex(const SweptGrid& grid, std::size_t v) {
-  const PaintPlace place = paint_place(grid, v);
+  PaintPlace place = paint_place(grid, v);
   surfaces_.position.emplace_back(grid.position[v]);
+  if (!grid.front_cell.empty()) place.cell = grid.front_cell[v];
   surfaces_.front_color.push_back(front_paint_(place));
+  if (!grid.back_cell.empty()) place.cell = grid.back_cell[v];
   surfaces_.back_color.push_back(back_paint_(place));
   surfaces_.blur.push_back(static_cast<float>(blur_(place)));
   surfaces_.front_hidden.push_back(front_.hidden ? 1 : 0);

@@ -22,6 +22,7 @@ struct PaintPlace {
   std::optional<double> turn;
   std::optional<int> fold;  ///< and the one before it on a fold line, else the same again
   int fold_before = 0;
+  std::optional<double> cell;  ///< place in a cell of the side that is painted
 };
 
 PaintPlace paint_place(const SweptGrid& grid, std::size_t vertex);
@@ -65,7 +66,7 @@ class FoldValues {
   Value mean_;
 };
 
-/// Ground and coats of one side.
+/// Ground, coats and cells of one side.
 class SidePaint {
  public:
   explicit SidePaint(const Side& side);
@@ -83,6 +84,7 @@ class SidePaint {
   MeanRamp<Color> around_, turn_;
   FoldValues<Color> folds_;
   std::vector<CoatPaint> coats_;
+  std::optional<CellSketch> cells_;
 };
 
 /// The blur of a surface, metres.

@@ -12,6 +12,7 @@
 #include "generator/surface/sweep/grid_place.h"
 #include "generator/surface/sweep/law_seats.h"
 #include "generator/surface/sweep/section_loop.h"
+#include "generator/surface/sweep/surface_grids.h"
 
 namespace pomona {
 

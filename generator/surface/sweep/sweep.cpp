@@ -12,7 +12,7 @@
 #include "generator/surface/sweep/mesh_surfaces.h"
 #include "generator/surface/sweep/sheet_shells.h"
 #include "generator/surface/sweep/spots.h"
-#include "generator/surface/sweep/swept_grid.h"
+#include "generator/surface/sweep/surface_grids.h"
 #include "generator/template/read/entry_place.h"
 
 namespace pomona {

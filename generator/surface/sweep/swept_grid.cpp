@@ -7,7 +7,6 @@
 
 #include "generator/base/error.h"
 #include "generator/base/units.h"
-#include "generator/surface/sweep/body_map.h"
 #include "generator/template/read/entry_place.h"
 
 namespace pomona {
@@ -27,16 +26,6 @@ double turn_of(double azimuth) {
 
 namespace {
 
-/// The grids in the fruit's proportions, and bent with it.
-std::vector<SweptGrid> in_place(const Template& fruit, std::vector<SweptGrid> grids) {
-  const BodyMap map(fruit);
-  if (map.is_identity()) return grids;
-  for (SweptGrid& grid : grids) {
-    for (glm::dvec3& p : grid.position) p = map(p);
-  }
-  return grids;
-}
-
 /// The vertex of each ring and spoke, poles collapsed.
 class GridIndex {
  public:
@@ -54,12 +43,6 @@ class GridIndex {
   GridShape shape_;
 };
 
-/// Variants may lack a surface (variation/vary_counts.h): its loops are there, but empty.
-bool is_left_out(const SurfaceSketch& sketch) {
-  const auto is_empty = [](const Curve& loop) { return loop.points.empty(); };
-  return sketch.reference && std::all_of(sketch.horizontal.begin(), sketch.horizontal.end(), is_empty);
-}
-
 }  // namespace
 
 std::vector<glm::uvec3> grid_triangles(const GridShape& shape) {
@@ -75,21 +58,6 @@ std::vector<glm::uvec3> grid_triangles(const GridShape& shape) {
     }
   }
   return triangles;
-}
-
-std::vector<SweptGrid> swept_grids(const Template& fruit, const SurfaceSketch& sketch, const SweepOptions& options) {
-  // Two poles and a ring between them at least.
-  const int around = refined(sketch.around, options.detail, 3);
-  const int along = refined(sketch.along, options.detail, 3);
-  if (static_cast<double>(around) * along > 4e6) {
-    refuse(fruit, sketch, "more than 4 million vertices", "lower around or along");
-  }
-  if (sketch.vertical.points.size() < (sketch.vertical.closed ? 3u : 2u) || !(length(sketch.vertical) > 0)) {
-    refuse(fruit, sketch, "the vertical curve has no length", "draw it from the surface's bottom to its top");
-  }
-  if (is_left_out(sketch)) return {};
-  if (sketch.type == SurfaceType::in_fold) return in_place(fruit, swept_in_folds(fruit, sketch, around, along));
-  return in_place(fruit, {swept_around_axis(fruit, sketch, around, along)});
 }
 
 }  // namespace pomona

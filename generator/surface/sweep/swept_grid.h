@@ -31,13 +31,11 @@ struct SweptGrid {
   std::vector<double> depth;  ///< in folds: 0 on the vertical curve's inner arc, 1 on its outer one; else 1
   std::vector<std::optional<double>> turn;  ///< azimuth as a share of the whole turn; nothing on the axis. May be
                                             ///< empty where it does not matter: in grains
-  int folds_around = 1;                     ///< number of folds around the axis in this grid
-  std::vector<glm::uvec3> triangle;         ///< front outside
+  /// By the cells of either side (Side::cells): 0 in the middle of a cell, 1 on its border; empty where there are none.
+  std::vector<double> front_cell = {}, back_cell = {};
+  int folds_around = 1;              ///< number of folds around the axis in this grid
+  std::vector<glm::uvec3> triangle;  ///< front outside
 };
-
-/// The grids of one surface: one around the axis, or one per fold that has a loop.
-/// \throws Error (bad_data) naming the surface.
-std::vector<SweptGrid> swept_grids(const Template& fruit, const SurfaceSketch& sketch, const SweepOptions& options);
 
 /// How the rings of a grid are connected.
 struct GridShape {

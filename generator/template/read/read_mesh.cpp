@@ -76,7 +76,8 @@ glm::dvec3 read_point(const TomlValue& value, const Within& where) {
 Side read_mesh_side(const TomlTable& table, const std::vector<std::string>& parts) {
   if (table.has("color")) {
     const Side side = read_surface_side(table, parts, {});
-    if (!side.spots.empty()) table.get("spots").error("need a drawn surface", "paint them in the modelling tool");
+    for (const char* only : {"cells", "spots"})
+      if (table.has(only)) table.get(only).error("need a drawn surface", "paint them in the modelling tool");
     return side;
   }
   Side side = read_uncolored_side(table, parts);

@@ -93,6 +93,7 @@ std::vector<SpotSketch> read_spots(const TomlValue& value, const PaintedSurface&
 }
 
 constexpr std::size_t max_coats = 32;
+constexpr Within cell_height{-0.05, 0.05};  // metres
 
 Color read_color(const TomlValue& value) { return value.color(); }
 double read_share(const TomlValue& value) { return value.number(1, {0, 1}); }
@@ -157,6 +158,20 @@ Coat read_coat(const TomlTable& table, const PaintedSurface& surface) {
   return coat;
 }
 
+/// Cells without a colour only raise.
+CellSketch read_cells(const TomlTable& table, const PaintedSurface& surface) {
+  CellSketch cells;
+  table.need("law");
+  cells.law = read_law_name(table, surface.laws, surface.type).value_or(0);
+  cells.color = read_color_ramp(table.get("color"), Color(0.5f));
+  cells.cover = read_ramp<double>(table.get("cover"), table.has("color") ? 1.0 : 0.0, read_share);
+  if (table.has("cover")) table.need("color");
+  cells.raise =
+      read_ramp<double>(table.get("raise"), 0.0, [](const TomlValue& stop) { return stop.length(0, cell_height); });
+  cells.along = read_ramp<double>(table.get("along"), 1.0, read_share);
+  return cells;
+}
+
 Side read_any_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface* surface) {
   Side side = read_uncolored_side(table, parts);
   side.color = read_painted_color(table.need("color"), surface);
@@ -193,6 +208,7 @@ PaintedColor read_painted_color(const TomlValue& value) { return read_painted_co
 Side read_surface_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface& surface) {
   Side side = read_any_side(table, parts, &surface);
   for (const TomlTable& coat : table.get("coats").tables(max_coats)) side.coats.push_back(read_coat(coat, surface));
+  if (table.has("cells")) side.cells = read_cells(table.get("cells").table().called("cells"), surface);
   side.spots = read_spots(table.get("spots"), surface, side.hidden);
   return side;
 }

@@ -176,7 +176,8 @@ double triangles_of(const SheetSketch& sheet) {
 
 Side read_sheet_side(const TomlTable& table, const char* key, const Template& fruit) {
   const TomlTable side = table.need(key).table();
-  if (side.has("spots")) side.get("spots").error("are for surfaces", "paint a coat");
+  for (const char* only : {"cells", "spots"})
+    if (side.has(only)) side.get(only).error("are for surfaces", "paint a coat");
   return read_surface_side(side, fruit.parts, {.type = SurfaceType::around_axis, .folds = 0});
 }
 

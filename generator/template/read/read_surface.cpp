@@ -226,6 +226,14 @@ void SketchSurfaceReader::read_paint(const TomlTable& table, SurfaceSketch& sket
   if (sketch.front.hidden && sketch.back.hidden) {
     table.error("has both sides hidden", "hide only the side that faces air");
   }
+  const auto raises = [](const Side& side) {
+    return side.cells && std::any_of(side.cells->raise.stops.begin(), side.cells->raise.stops.end(),
+                                     [](const Ramp<double>::Stop& stop) { return stop.value != 0; });
+  };
+  if (raises(sketch.front) && raises(sketch.back)) {
+    table.get("back").table().get("cells").table().get("raise").error("is given beside that of the front",
+                                                                      "leave one of the two out");
+  }
 }
 
 SurfaceSketch SketchSurfaceReader::read(const TomlTable& table) {
