@@ -44,7 +44,7 @@ RESULTS = {
     "file": "str", "line": "int", "column": "int", "message": "str", "hint": "str",
 }
 TRUTH = {"instance": "NDArray[numpy.uint16]", "fruit": "NDArray[numpy.uint16]", "part": "NDArray[numpy.uint16]",
-         "depth": FLOATS, "normal": FLOATS, "section": BYTES, "instances": "list[str]", "fruits": "list[str]",
+         "organ": "NDArray[numpy.uint16]", "depth": FLOATS, "normal": FLOATS, "section": BYTES, "instances": "list[str]", "fruits": "list[str]",
          "parts": "list[str]"}
 FIELDS = {"parts": "list[str]", "file": "Path", "line": "int", "column": "int", "choices": "tuple[str, ...]",
           "takers": "tuple[str, ...]", "range": "Optional[tuple[float, float]]"}

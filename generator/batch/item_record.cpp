@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 Json piece_of(const Solid& solid) {
   Json piece = {{"name", solid.name}};
-  piece.update(facts_json(solid));
+  piece.update(facts_with_organs_json(solid));
   return piece;
 }
 

@@ -20,7 +20,8 @@ struct CutPiece {
   std::vector<std::int32_t> part;   ///< per vertex; index into CrossSection::part_names
   std::vector<std::uint8_t> bared;  ///< per vertex: 1 on the wall of a spared part: freshly exposed, as a cut face is
   std::vector<glm::uvec3> triangle;
-  std::vector<std::int32_t> surface;  ///< per triangle
+  std::vector<std::int32_t> surface;   ///< per triangle
+  std::vector<std::int32_t> instance;  ///< per triangle (DiffusionSurfaces::instance); empty where nothing is placed
 
   /// The instances of placed templates whose skin it has (DiffusionSurfaces::instance), ascending; empty where nothing
   /// is placed.

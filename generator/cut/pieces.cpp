@@ -185,8 +185,10 @@ class PieceBuilder {
       if (p[triangle.x] == p[triangle.y] || p[triangle.y] == p[triangle.z] || p[triangle.z] == p[triangle.x]) continue;
       piece.triangle.push_back(triangle);
       piece.surface.push_back(surfaces_.surface[skin.source]);
+      if (surfaces_.instance.empty()) continue;
+      piece.instance.push_back(surfaces_.instance[skin.source]);
       // A wall is skin of the part that was spared, not of the piece around it.
-      if (!surfaces_.instance.empty() && t < first_wall_) piece.instances.push_back(surfaces_.instance[skin.source]);
+      if (t < first_wall_) piece.instances.push_back(surfaces_.instance[skin.source]);
     }
     for (CutPiece& piece : pieces) piece.instances = each_once(std::move(piece.instances));
   }
@@ -257,6 +259,7 @@ class PieceBuilder {
     append(piece.bared, part.bared);
     for (const glm::uvec3& t : part.triangle) piece.triangle.push_back(t + glm::uvec3(first));
     append(piece.surface, part.surface);
+    append(piece.instance, part.instance);
     append(piece.caps, part.caps);
     append(piece.instances, part.instances);
     piece.volume += part.volume;

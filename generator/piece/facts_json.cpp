@@ -31,4 +31,12 @@ Json facts_json(const Solid& solid) {
   return json;
 }
 
+Json facts_with_organs_json(const Solid& solid) {
+  Json json = facts_json(solid);
+  for (const Organ& organ : solid.organs)
+    json["organs"].push_back(
+        {{"instance", organ.instance}, {"name", organ.name}, {"volume", organ.volume}, {"mass", organ.mass}});
+  return json;
+}
+
 }  // namespace pomona

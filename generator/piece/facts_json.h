@@ -11,4 +11,7 @@ namespace pomona {
 /// instances it is if the fruit has any: docs/reference/formats.md.
 nlohmann::ordered_json facts_json(const Solid& solid);
 
+/// The same and, if the fruit has organs (organs.h), `organs` with the volume and the mass of each.
+nlohmann::ordered_json facts_with_organs_json(const Solid& solid);
+
 }  // namespace pomona

@@ -133,6 +133,16 @@ class Surrounding {
     for (const In& entry : in_) min = min < 0 ? entry.what : std::min(min, entry.what);
     return min;
   }
+  /// 0 if one is in it, else the largest one; 0 if there is none.
+  std::int32_t organ() const {
+    std::int32_t last = 0;
+    for (const In& entry : in_) {
+      if (entry.times <= 0) continue;
+      if (entry.what == 0) return 0;
+      last = std::max(last, entry.what);
+    }
+    return last;
+  }
   std::vector<In>& all() { return in_; }
   void clear() { in_.clear(); }
 
@@ -223,7 +233,64 @@ class ExcessSum {
   glm::dmat3 frame_ = ray_frame();
 };
 
+class OrganSum {
+ public:
+  OrganSum(std::span<const Solid> pieces, std::span<const Enclosures::Triangle> skins)
+      : pieces_(pieces), skins_(skins) {
+    for (const Enclosures::Triangle& t : skins)
+      for (const glm::dvec3& p : t.corner) box_.add(p * frame_);
+  }
+
+  std::vector<std::map<std::int32_t, double>> run(int rays) const {
+    RayLattice lattice(box_, rays);
+    for (const Enclosures::Triangle& t : skins_)
+      lattice.pass({t.corner[0] * frame_, t.corner[1] * frame_, t.corner[2] * frame_},
+                   static_cast<std::int32_t>(t.mesh));
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const SolidMesh& mesh = pieces_[i].mesh;
+      for (std::size_t t = 0; pieces_[i].closed && t < mesh.triangle.size(); ++t) {
+        const auto [a, b, c] = mesh.corners(t);
+        lattice.pass({a * frame_, b * frame_, c * frame_}, -1 - static_cast<std::int32_t>(i));
+      }
+    }
+    const double cell = lattice.step() * lattice.step();
+    return summed(std::move(lattice).sorted(), cell);
+  }
+
+ private:
+  /// As in ExcessSum, a piece's sums do not depend on the other pieces.
+  std::vector<std::map<std::int32_t, double>> summed(const std::vector<Passing>& passings, double cell) const {
+    std::vector<std::map<std::int32_t, double>> sums(pieces_.size());
+    Surrounding organs, pieces;
+    for (std::size_t i = 0; i < passings.size(); ++i) {
+      const Passing& now = passings[i];
+      if (i == 0 || passings[i - 1].ray != now.ray) organs.clear(), pieces.clear();
+      for (Surrounding::In& piece : pieces.all()) {
+        if (now.what < 0 && now.what != piece.what) continue;
+        if (now.height > piece.since)
+          sums[static_cast<std::size_t>(-1 - piece.what)][organs.organ()] +=
+              cell * piece.times * (now.height - piece.since);
+        piece.since = now.height;
+      }
+      (now.what < 0 ? pieces : organs).pass(now.what, now.into, now.height);
+    }
+    return sums;
+  }
+
+  std::span<const Solid> pieces_;
+  std::span<const Enclosures::Triangle> skins_;
+  glm::dmat3 frame_ = ray_frame();
+  Box<double> box_;
+};
+
 }  // namespace
+
+std::vector<std::map<std::int32_t, double>> organ_ray_volumes(std::span<const Solid> pieces,
+                                                              std::span<const Enclosures::Triangle> skins,
+                                                              const RegionRayOptions& options) {
+  if (skins.empty()) return std::vector<std::map<std::int32_t, double>>(pieces.size());
+  return OrganSum(pieces, skins).run(options.rays);
+}
 
 std::vector<Moments> excess_moments(std::span<const Solid> pieces, const PartRegions& regions,
                                     std::span<const double> excess, const glm::dvec3& origin,

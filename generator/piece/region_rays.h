@@ -1,9 +1,12 @@
 // The difference in mass of pieces from parts inside them that are denser or lighter than the rest.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
+#include "generator/mesh/enclosures.h"
 #include "generator/mesh/moments.h"
 #include "generator/piece/solid.h"
 #include "generator/surface/part_regions.h"
@@ -24,5 +27,12 @@ struct RegionRayOptions {
 std::vector<Moments> excess_moments(std::span<const Solid> pieces, const PartRegions& regions,
                                     std::span<const double> excess, const glm::dvec3& origin,
                                     const RegionRayOptions& options = {});
+
+/// Per piece the volume that it has of each organ, along such rays: that of 0 where its skin is around a place, else of
+/// the last one around it. Open pieces have none.
+/// \param skins their `mesh` is the organ's number; 0: the fruit itself
+std::vector<std::map<std::int32_t, double>> organ_ray_volumes(std::span<const Solid> pieces,
+                                                              std::span<const Enclosures::Triangle> skins,
+                                                              const RegionRayOptions& options);
 
 }  // namespace pomona

@@ -51,7 +51,7 @@ Solid smoothed(Solid solid, int passes) {
   for (int pass = 0; pass < passes; ++pass) {
     Halving halving(solid);
     std::vector<glm::uvec3> triangle;
-    std::vector<std::int32_t> cut_face, surface;
+    std::vector<std::int32_t> cut_face, surface, instance;
     for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
       const glm::uvec3 v = solid.mesh.triangle[t];
       const std::uint32_t a = halving.middle(v.x, v.y), b = halving.middle(v.y, v.z), c = halving.middle(v.z, v.x);
@@ -60,11 +60,13 @@ Solid smoothed(Solid solid, int passes) {
         triangle.push_back(part);
         cut_face.push_back(solid.mesh.cut_face[t]);
         surface.push_back(solid.mesh.surface[t]);
+        if (!solid.mesh.instance.empty()) instance.push_back(solid.mesh.instance[t]);
       }
     }
     solid.mesh.triangle = std::move(triangle);
     solid.mesh.cut_face = std::move(cut_face);
     solid.mesh.surface = std::move(surface);
+    solid.mesh.instance = std::move(instance);
   }
   return solid;
 }

@@ -48,6 +48,7 @@ class SolidBuilder {
     }
     solid_.mesh.triangle = piece_.triangle;
     solid_.mesh.surface = piece_.surface;
+    solid_.mesh.instance = piece_.instance;
     solid_.mesh.cut_face.assign(piece_.triangle.size(), -1);
   }
 

@@ -39,6 +39,7 @@ struct SolidMesh {
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> cut_face;  ///< per triangle: index of the cut face, -1 on skin and cavity walls
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink
+  std::vector<std::int32_t> instance;  ///< per triangle: the organ it is of (organs.h); empty where there are none
 
   std::array<glm::dvec3, 3> corners(std::size_t t) const {
     return {position[triangle[t].x], position[triangle[t].y], position[triangle[t].z]};
@@ -71,6 +72,14 @@ struct FruitLook {
 /// The noise, ink and materials of a template, for these parts.
 FruitLook look_of(const Template& fruit, const std::vector<std::string>& part_names);
 
+/// What a piece has of one organ of its fruit, or of the fruit around them: a berry of a bunch, or half of one.
+struct Organ {
+  std::int32_t instance = 0;  ///< number (organs.h): of a placed template that in surface files; 0: the fruit itself
+  std::string name;           ///< "berry"
+  double volume = 0;          ///< cubic metres
+  double mass = 0;            ///< kilograms
+};
+
 /// One piece, or a whole fruit.
 struct Solid {
   std::string name;  ///< "tomato-3.wedge-2": unique within a scene
@@ -89,6 +98,9 @@ struct Solid {
 
   /// The instances of placed templates whose skin it has, ascending, 0: the fruit's own; empty where nothing is placed.
   std::vector<std::int32_t> instances;
+
+  /// All that it has of each organ, on its skin or within; ascending. Their volumes and masses add up to its own.
+  std::vector<Organ> organs;
 
   /// The source of the cut faces' colours, for textures; else null (generator/piece/section_colors.h).
   std::shared_ptr<const SectionColors> section_colors;

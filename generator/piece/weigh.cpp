@@ -1,7 +1,9 @@
 #include "generator/piece/weigh.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "generator/piece/organs.h"
 #include "generator/piece/region_rays.h"
 #include "generator/surface/part_regions.h"
 
@@ -19,7 +21,8 @@ double density_of(const Template& fruit, const std::string& part) {
 }  // namespace
 
 std::vector<Solid> weighed(std::vector<Solid> pieces, const GrownFruit& grown, const Template& fruit) {
-  if (fruit.densities.empty()) return pieces;
+  const FruitOrgans organs(grown.sheets, fruit);
+  if (fruit.densities.empty()) return with_organs(std::move(pieces), organs, {});
   const PartRegions regions = part_regions(joined(grown.swept, grown.grains));
   std::vector<double> excess;
   for (const PartRegions::Region& region : regions.region)
@@ -34,7 +37,8 @@ std::vector<Solid> weighed(std::vector<Solid> pieces, const GrownFruit& grown, c
     all.add(more[i]);
     if (all.mass > 0) pieces[i].weighed = rigid_mass(all, origin);
   }
-  return pieces;
+  if (organs.empty()) return pieces;
+  return with_organs(std::move(pieces), organs, organ_densities(organs, regions, excess, fruit.density));
 }
 
 }  // namespace pomona

@@ -86,6 +86,7 @@ py::dict truth_arrays(const std::shared_ptr<const SeenTruth>& truth) {
   all["instance"] = picture(layers.instance);
   all["fruit"] = picture(layers.fruit);
   all["part"] = picture(layers.part);
+  all["organ"] = picture(layers.organ);
   all["depth"] = picture(layers.depth);
   all["section"] = picture(layers.section);
   all["normal"] = view_of(&layers.normal.data()->x, {layers.height, layers.width, 3}, truth);

@@ -51,7 +51,7 @@ std::string piece_list(const Scene& scene, bool is_welded) {
                   {"seed", solid.origin.key.seed},
                   {"index", solid.origin.key.index},
                   {"knife", knives_text(solid.origin)}};
-    piece.update(facts_json(solid));
+    piece.update(facts_with_organs_json(solid));
     pieces.push_back(std::move(piece));
   }
   Json list = {{"format", 1}, {"pieces", std::move(pieces)}};

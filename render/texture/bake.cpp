@@ -215,7 +215,7 @@ class Baker {
     out = solid_;
     out.mesh.position.clear(), out.mesh.normal.clear(), out.mesh.color.clear(), out.mesh.part.clear(),
         out.mesh.guide.clear();
-    out.mesh.triangle.clear(), out.mesh.cut_face.clear(), out.mesh.surface.clear();
+    out.mesh.triangle.clear(), out.mesh.cut_face.clear(), out.mesh.surface.clear(), out.mesh.instance.clear();
     for (std::size_t c = 0; c < charts_.size(); ++c) add_chart(c);
   }
 
@@ -245,6 +245,7 @@ class Baker {
       out.mesh.triangle.push_back(copied);
       out.mesh.cut_face.push_back(solid_.mesh.cut_face[t]);
       out.mesh.surface.push_back(solid_.mesh.surface[t]);
+      if (!solid_.mesh.instance.empty()) out.mesh.instance.push_back(solid_.mesh.instance[t]);
     }
   }
 

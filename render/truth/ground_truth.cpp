@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -119,7 +121,8 @@ class AnnotationWriter {
   Json part_annotations() const {
     Json list = Json::array();
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
-      for (const auto& [part, mask] : part_masks(i)) {
+      for (const auto& [part, mask] : masks_in(i, layers_.part)) {
+        if (part == 0) continue;
         list.push_back({{"id", list.size() + 1},
                         {"image_id", 1},
                         {"annotation_id", i + 1},
@@ -132,21 +135,38 @@ class AnnotationWriter {
     return list;
   }
 
-  std::map<std::uint16_t, Mask> part_masks(std::size_t i) const {
+  /// Per number that the pixels of an instance have in a layer, these pixels.
+  std::map<std::uint16_t, Mask> masks_in(std::size_t i, const std::vector<std::uint16_t>& layer) const {
     const Mask& visible = visible_[i];
     std::map<std::uint16_t, Mask> masks;
     std::size_t at = 0;
     for (int y = visible.box.top; y <= visible.box.bottom; ++y) {
       for (int x = visible.box.left; x <= visible.box.right; ++x, ++at) {
-        const std::uint16_t part = layers_.part[layers_.pixel(x, y)];
-        if (visible.covered[at] == 0 || part == 0) continue;
-        Mask& mask = masks.try_emplace(part, Mask{visible.box, {}}).first->second;
+        if (visible.covered[at] == 0) continue;
+        Mask& mask = masks.try_emplace(layer[layers_.pixel(x, y)], Mask{visible.box, {}}).first->second;
         mask.covered.resize(visible.covered.size());
         mask.covered[at] = 1;
       }
     }
-    for (auto& [part, mask] : masks) mask = trimmed(mask);
+    for (auto& [number, mask] : masks) mask = trimmed(mask);
     return masks;
+  }
+
+  /// What a piece has of each instance of a placed template; pixels only of those that show.
+  Json organs(std::size_t i) const {
+    const std::map<std::uint16_t, Mask> masks = masks_in(i, layers_.organ);
+    Json list = Json::array();
+    for (const Organ& organ : scene_.solids[static_cast<std::size_t>(scene_.instances[i].solid)].organs) {
+      Json json = {{"instance", organ.instance}, {"name", organ.name}, {"volume", organ.volume}, {"mass", organ.mass}};
+      const auto mask = masks.find(static_cast<std::uint16_t>(organ.instance));
+      json["area"] = mask == masks.end() ? 0 : mask->second.area();
+      if (mask != masks.end()) {
+        json["bbox"] = box(mask->second.box);
+        json["segmentation"] = encoded(mask->second, layers_.width, layers_.height);
+      }
+      list.push_back(std::move(json));
+    }
+    return list;
   }
 
   Json annotation(std::size_t i) const {
@@ -176,6 +196,7 @@ class AnnotationWriter {
                  {"translation", numbers(instance.pose.translation)}};
     const Solid& solid = scene_.solids[number];
     if (!solid.instances.empty()) json["instances"] = solid.instances;
+    if (!solid.organs.empty()) json["organs"] = organs(i);
     json.update(state_labels(solid));
     json.update(camera_pose(instance, solid, Lens(scene_.view, layers_.width, layers_.height)));
     return json;
@@ -212,6 +233,29 @@ std::vector<TruthFile> png_files(const TruthLayers& layers, const std::vector<Ma
   return files;
 }
 
+/// Organs by numbers of their own: those that show, as "bunch.piece-1.berry-17"; of the fruit itself "bunch.piece-1".
+Cryptomatte organ_matte(const Scene& scene, const TruthLayers& fine, const TruthOptions& options, int side) {
+  std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint16_t> number;
+  for (std::size_t p = 0; p < fine.organ.size(); ++p)
+    if (fine.instance[p] != 0) number.try_emplace({fine.instance[p], fine.organ[p]}, std::uint16_t{0});
+  if (number.size() > 65535)
+    throw Error(ExitStatus::usage, "--aov: the picture shows " + std::to_string(number.size()) + " organs",
+                "ids have 16 bits: at most 65535");
+  std::vector<std::string> names;
+  for (auto& [of, own] : number) {
+    const Instance& instance = scene.instances[of.first - 1u];
+    std::string name = instance.name;
+    for (const Organ& organ : scene.solids[static_cast<std::size_t>(instance.solid)].organs)
+      if (of.second != 0 && organ.instance == of.second) name += "." + organ.name + "-" + std::to_string(of.second);
+    names.push_back(std::move(name));
+    own = static_cast<std::uint16_t>(names.size());
+  }
+  std::vector<std::uint16_t> numbers(fine.organ.size(), 0);
+  for (std::size_t p = 0; p < numbers.size(); ++p)
+    if (fine.instance[p] != 0) numbers[p] = number.at({fine.instance[p], fine.organ[p]});
+  return cryptomatte("CryptoOrgan", std::move(names), numbers, options.width, options.height, side);
+}
+
 /// The coverage, by the samples of the picture.
 std::vector<Cryptomatte> mattes_of(const Scene& scene, const TruthNaming& names, const TruthOptions& options) {
   std::vector<std::string> instances, fruits, parts;
@@ -223,8 +267,11 @@ std::vector<Cryptomatte> mattes_of(const Scene& scene, const TruthNaming& names,
   const auto matte = [&](const char* name, std::vector<std::string> of, const std::vector<std::uint16_t>& numbers) {
     return cryptomatte(name, std::move(of), numbers, options.width, options.height, side);
   };
-  return {matte("CryptoObject", std::move(instances), fine.instance),
-          matte("CryptoAsset", std::move(fruits), fine.fruit), matte("CryptoMaterial", std::move(parts), fine.part)};
+  std::vector<Cryptomatte> all{matte("CryptoObject", std::move(instances), fine.instance),
+                               matte("CryptoAsset", std::move(fruits), fine.fruit),
+                               matte("CryptoMaterial", std::move(parts), fine.part)};
+  if (shows_organs(fine)) all.push_back(organ_matte(scene, fine, options, side));
+  return all;
 }
 
 TruthFile exr_file(const Scene& scene, const TruthNaming& names, const TruthLayers& layers,

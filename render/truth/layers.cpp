@@ -36,7 +36,7 @@ class LayerFiller {
     const std::size_t pixels = foremost.instance.size();
     layers_.width = foremost.width;
     layers_.height = foremost.height;
-    for (auto* numbers : {&layers_.instance, &layers_.fruit, &layers_.part}) numbers->assign(pixels, 0);
+    for (auto* numbers : {&layers_.instance, &layers_.fruit, &layers_.part, &layers_.organ}) numbers->assign(pixels, 0);
     layers_.depth.assign(pixels, 0);
     layers_.normal.assign(pixels, glm::vec3(0));
     layers_.section.assign(pixels, 0);
@@ -58,6 +58,7 @@ class LayerFiller {
     const std::uint32_t t = foremost_.triangle[pixel];
     layers_.instance[pixel] = static_cast<std::uint16_t>(i + 1);
     layers_.fruit[pixel] = names_.fruit_of_solid[number];
+    if (t < solid.mesh.instance.size()) layers_.organ[pixel] = static_cast<std::uint16_t>(solid.mesh.instance[t]);
     layers_.depth[pixel] = 1 / foremost_.nearness[pixel];
     layers_.section[pixel] = t < solid.mesh.cut_face.size() && solid.mesh.cut_face[t] >= 0 ? 1 : 0;
 

@@ -1,4 +1,4 @@
-// The layers of ground truth: for each pixel the instance, the part, the depth and the normal.
+// The layers of ground truth: for each pixel the instance, the part, the organ, the depth and the normal.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,7 @@ struct TruthLayers {
   std::vector<std::uint16_t> instance;  ///< numbers as in TruthNaming; 0 where paper or ground shows
   std::vector<std::uint16_t> fruit;
   std::vector<std::uint16_t> part;
+  std::vector<std::uint16_t> organ;   ///< Organ::instance; 0: the fruit itself
   std::vector<float> depth;           ///< metres along the line of sight of the picture's middle; 0 where nothing is
   std::vector<glm::vec3> normal;      ///< unit, in the scene's frame, as the mesh interpolates it; (0, 0, 0) likewise
   std::vector<std::uint8_t> section;  ///< 1 where a cut face shows

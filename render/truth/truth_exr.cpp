@@ -124,6 +124,7 @@ std::string write_truth_exr(const TruthLayers& layers, std::span<const Mask> amo
   add_numbers("Instance.X", layers.instance);
   add_numbers("Fruit.X", layers.fruit);
   add_numbers("Part.X", layers.part);
+  if (shows_organs(layers)) add_numbers("Organ.X", layers.organ);
   channels.add("Section.X", [&](std::size_t i) { return static_cast<float>(layers.section[i]); });
   channels.add("Depth.Z", [&](std::size_t i) { return layers.depth[i]; });
   for (int k = 0; k < 3; ++k)

@@ -66,13 +66,19 @@ double depth_step(const TruthLayers& layers) {
   return static_cast<double>(deepest) / max;
 }
 
+bool shows_organs(const TruthLayers& layers) {
+  return std::any_of(layers.organ.begin(), layers.organ.end(), [](std::uint16_t number) { return number != 0; });
+}
+
 std::vector<TruthPicture> pictures_of(const TruthLayers& layers) {
-  return {numbers(layers, "instance", layers.instance),
-          numbers(layers, "fruit", layers.fruit),
-          numbers(layers, "part", layers.part),
-          depths(layers),
-          normals(layers),
-          sections(layers)};
+  std::vector<TruthPicture> all{numbers(layers, "instance", layers.instance),
+                                numbers(layers, "fruit", layers.fruit),
+                                numbers(layers, "part", layers.part),
+                                depths(layers),
+                                normals(layers),
+                                sections(layers)};
+  if (shows_organs(layers)) all.push_back(numbers(layers, "organ", layers.organ));
+  return all;
 }
 
 std::size_t amodal_pictures(std::size_t instances) { return (instances + masks_in_picture - 1) / masks_in_picture; }

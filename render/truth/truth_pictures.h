@@ -21,8 +21,12 @@ struct TruthPicture {
 /// at most 65 535 steps; 1 without any depth.
 double depth_step(const TruthLayers& layers);
 
-/// "instance", "fruit", "part": numbers. "depth": steps of depth_step(), rounded, at least 1 where something is.
-/// "normal": (n + 1) / 2 * 65 535, rounded; 0 where nothing is. "section": 65 535 on cut faces.
+/// Whether a pixel shows an organ (Organ). Without any, files have no layer of them.
+bool shows_organs(const TruthLayers& layers);
+
+/// "instance", "fruit", "part": numbers; "organ" likewise, if it shows any. "depth": steps of depth_step(), rounded, at
+/// least 1 where something is. "normal": (n + 1) / 2 * 65 535, rounded; 0 where nothing is. "section": 65 535 on cut
+/// faces.
 std::vector<TruthPicture> pictures_of(const TruthLayers& layers);
 
 /// The number of instances whose masks share a picture, a bit for each.

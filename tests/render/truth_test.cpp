@@ -261,6 +261,58 @@ TEST(Annotations, HaveCocosKeysAndAgreeWithTheMasks) {
   }
 }
 
+/// The same balls, the first of them of three organs, one of which lies inside.
+Scene balls_of_organs() {
+  Scene scene = hiding_balls();
+  Solid& ball = scene.solids[static_cast<std::size_t>(scene.instances[0].solid)];
+  for (std::size_t t = 0; t < ball.mesh.triangle.size(); ++t)
+    ball.mesh.instance.push_back(static_cast<std::int32_t>(t % 3 == 0 ? 0 : 6 + t % 3));
+  ball.organs = {{0, "bunch", 1e-6, 1e-3}, {3, "seed", 1e-6, 1e-3}, {7, "berry", 2e-6, 2e-3}, {8, "berry", 2e-6, 2e-3}};
+  return scene;
+}
+
+TEST(Annotations, OrgansAddUpToTheirPiece) {
+  const Scene scene = balls_of_organs();
+  const std::vector<TruthFile> files = ground_truth(scene, options());
+  const json all = json::parse(file(files, "annotations.json"));
+  const DeepImage ids = read_deep_png(file(files, "instance.png"), "instance.png"),
+                  numbers = read_deep_png(file(files, "organ.png"), "organ.png");
+  int with_organs = 0;
+  for (const json& one : all.at("annotations")) {
+    if (!one.contains("organs")) continue;
+    ++with_organs;
+    ASSERT_EQ(one.at("organs").size(), 4u);
+    const std::vector<bool> piece = unpacked(one.at("segmentation"));
+    std::vector<int> times(piece.size(), 0);
+    std::size_t area = 0;
+    for (const json& organ : one.at("organs")) {
+      area += organ.at("area").get<std::size_t>();
+      EXPECT_EQ(organ.contains("segmentation"), organ.at("area") > 0);
+      EXPECT_EQ(organ.at("area") > 0, organ.at("instance") != 3) << "it lies inside";
+      if (!organ.contains("segmentation")) continue;
+      const std::vector<bool> mask = unpacked(organ.at("segmentation"));
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+          const auto place = static_cast<std::size_t>(x * height + y);
+          times[place] += mask[place] ? 1 : 0;
+          const bool is_here =
+              ids.at(x, y) == one.at("id").get<int>() && numbers.at(x, y) == organ.at("instance").get<int>();
+          ASSERT_EQ(mask[place], is_here);
+        }
+      }
+    }
+    EXPECT_EQ(area, one.at("area"));
+    for (std::size_t place = 0; place < piece.size(); ++place) ASSERT_EQ(times[place], piece[place] ? 1 : 0);
+  }
+  EXPECT_GE(with_organs, 1);
+}
+
+TEST(Annotations, WithoutOrgansAreAsBefore) {
+  const std::vector<TruthFile> files = ground_truth(hiding_balls(), options());
+  for (const TruthFile& one : files) EXPECT_NE(one.name, "organ.png");
+  EXPECT_EQ(file(files, "annotations.json").find("organ"), std::string::npos);
+}
+
 TEST(Annotations, ListApartWhatIsHiddenAltogether) {
   Scene scene = hiding_balls();
   scene.instances.push_back(scene.instances[0]);  // the same again, a little farther away

@@ -70,6 +70,7 @@ Solid solid_of(const Solid& whole, const Solid& bare, const Faces& faces) {
     level.mesh.triangle.emplace_back(a, b, c);
     level.mesh.cut_face.push_back(whole.mesh.cut_face[face.source]);
     level.mesh.surface.push_back(whole.mesh.surface[face.source]);
+    if (!whole.mesh.instance.empty()) level.mesh.instance.push_back(whole.mesh.instance[face.source]);
   }
   level.volume = volume_of(level);
   return level;
