@@ -88,7 +88,7 @@ MadePieces made_pieces(const OrderedFruit& fruit, const Template& drawn, const O
       .style = styles.drawn, .texture_style = styles.baked, .provenance = provenance_of(order.fruit)};
   const std::unique_ptr<Diffuser> diffuser = ordered_diffuser(order);
   Delivered delivered = live_files({&fruit, 1}, order, how);
-  Slices slices = cut_to_order(fruit, order, diffuser.get());
+  Slices slices = cut_to_order(fruit, order, diffuser.get(), OrganFacts::always);
   StageClock times;
   std::vector<RipenessVariant> variants = ripeness_variants(slices.pieces, fruit, drawn, order, diffuser.get(), times);
   MadePieces made{gathered(std::move(slices.pieces)), {}, std::move(slices.warnings)};

@@ -66,6 +66,7 @@ MadeItem PictureWork::made(std::int64_t number) {
   composing.ready_template = [this](const std::string& word) { return ready(word); };
   composing.detail = plan_.data.detail;
   composing.threads = {1};
+  composing.organs = true;
   MadeItem made{.item = path_of(entries().front(), number), .files = {}, .error = {}};
   try {
     made.files = picture_files(tools_, number, composing);

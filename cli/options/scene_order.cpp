@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "cli/options/find_template.h"
+#include "generator/order/ordered_fruit.h"
 
 namespace pomona {
 
@@ -23,6 +24,7 @@ ComposeOptions compose_options(const Order& order, const DeliveryProgress& progr
   options.detail = order.fruit.growing.detail;
   options.threads = order.threads;
   options.keep_section_colors = wants_textures(order.mesh);
+  options.organs = wants_organs(order);
   options.progress = progress;
   return options;
 }

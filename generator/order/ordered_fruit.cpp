@@ -66,7 +66,9 @@ OrderedFruit browned(OrderedFruit fruit, double browning) {
   return fruit;
 }
 
-Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser) {
+bool wants_organs(const Order& order) { return !order.cut.piece_list.empty() || !order.picture.aov.empty(); }
+
+Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser, OrganFacts organs) {
   const CutOrder& cut = order.cut;
   SliceTask task{.grown = fruit.grown,
                  .variant = fruit.fruit,
@@ -81,6 +83,7 @@ Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuse
   SliceOptions how{.cut = cut.faces == FaceQuality::coarse ? coarse_cut : CutOptions{},
                    .pieces = !cut.section,
                    .keep_section_colors = wants_textures(order.mesh),
+                   .organs = organs == OrganFacts::always || wants_organs(order),
                    .threads = order.threads};
   how.cut.threads = order.threads;
   try {

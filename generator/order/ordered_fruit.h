@@ -38,11 +38,18 @@ OrderedFruit fruit_of_surfaces(const std::filesystem::path& file, const Order& o
 /// The fruit, whose cut faces have lain in air for so long.
 OrderedFruit browned(OrderedFruit fruit, double browning);
 
+/// Whether pieces tell the volumes and masses of their organs (organs.h).
+enum class OrganFacts { as_ordered, always };
+
 /// Cuts the fruit as ordered; without knives its whole bodies come out. The solids keep what coloured their cut faces
 /// where the order wants textures. Errors name the fruit's file.
 /// \param diffuser null if cut faces are not visible: they keep the colours of their rims.
 /// \throws Error as slice(), and (usage) if there is no piece of the number that was ordered.
-Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser);
+Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser,
+                    OrganFacts organs = OrganFacts::as_ordered);
+
+/// Whether the order asks for volumes and masses of organs: in a list of pieces, or in ground truth.
+bool wants_organs(const Order& order);
 
 /// The order that makes a piece again: as it grew, its knives, and its number among the pieces.
 Order order_of(const PieceOrigin& origin);

@@ -15,6 +15,8 @@
 #include "generator/mesh/weld.h"
 #include "generator/piece/piece_facts.h"
 #include "generator/piece/region_rays.h"
+#include "generator/piece/weigh.h"
+#include "generator/surface/part_regions.h"
 
 namespace pomona {
 
@@ -317,6 +319,22 @@ std::vector<double> own_volumes(const PartRegions& regions) {
   return own;
 }
 
+/// The mean density of each organ by the volumes of its regions; none where all parts are as dense.
+std::vector<double> organ_densities(const FruitOrgans& organs, const GrownFruit& grown, const Template& fruit) {
+  if (fruit.densities.empty()) return {};
+  const PartRegions regions = part_regions(joined(grown.swept, grown.grains));
+  const std::vector<double> excess = excess_densities(regions, fruit);
+  std::vector<double> volume(organs.names().size(), 0), mass(volume);
+  const std::vector<double> own = own_volumes(regions);
+  for (std::size_t r = 0; r < regions.region.size(); ++r) {
+    const auto organ = static_cast<std::size_t>(organ_of(organs, regions, regions.region[r]));
+    volume[organ] += own[r];
+    mass[organ] += own[r] * (fruit.density + excess[r]);
+  }
+  for (std::size_t i = 0; i < mass.size(); ++i) mass[i] = volume[i] > 0 ? mass[i] / volume[i] : fruit.density;
+  return mass;
+}
+
 }  // namespace
 
 FruitOrgans::FruitOrgans(const DiffusionSurfaces& surfaces, const Template& fruit)
@@ -349,9 +367,10 @@ std::vector<std::int32_t> FruitOrgans::of_triangles(const SolidMesh& mesh) const
   return organ;
 }
 
-std::vector<Solid> with_organs(std::vector<Solid> pieces, const FruitOrgans& organs,
-                               std::span<const double> densities) {
+std::vector<Solid> with_organs(std::vector<Solid> pieces, const GrownFruit& grown, const Template& fruit) {
+  const FruitOrgans organs(grown.sheets, fruit);
   if (organs.empty()) return pieces;
+  const std::vector<double> densities = organ_densities(organs, grown, fruit);
   std::vector<std::map<std::int32_t, OwnVolume>> own;
   for (Solid& piece : pieces) {
     piece.mesh.instance = organs.of_triangles(piece.mesh);
@@ -369,19 +388,6 @@ std::vector<Solid> with_organs(std::vector<Solid> pieces, const FruitOrgans& org
     pieces[i].organs = organs_of(pieces[i], volumes, organs.names(), densities);
   }
   return pieces;
-}
-
-std::vector<double> organ_densities(const FruitOrgans& organs, const PartRegions& regions,
-                                    std::span<const double> excess, double density) {
-  std::vector<double> volume(organs.names().size(), 0), mass(volume);
-  const std::vector<double> own = own_volumes(regions);
-  for (std::size_t r = 0; r < regions.region.size(); ++r) {
-    const auto organ = static_cast<std::size_t>(organ_of(organs, regions, regions.region[r]));
-    volume[organ] += own[r];
-    mass[organ] += own[r] * (density + excess[r]);
-  }
-  for (std::size_t i = 0; i < mass.size(); ++i) mass[i] = volume[i] > 0 ? mass[i] / volume[i] : density;
-  return mass;
 }
 
 }  // namespace pomona

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "generator/compose/grow.h"
 #include "generator/mesh/enclosures.h"
 #include "generator/piece/solid.h"
 #include "generator/surface/diffusion_surfaces.h"
-#include "generator/surface/part_regions.h"
 
 namespace pomona {
 
@@ -45,13 +45,7 @@ class FruitOrgans {
 /// An organ's volume is that between its share of the piece's triangles, exactly. Where much of it is open, because it
 /// is sunk in the fruit or pressed into its neighbours, it is measured along rays instead (region_rays.h); the error is
 /// then some hundredths. The fruit itself has the rest, so that volumes add up to the piece's; and so do masses, by the
-/// densities.
-/// \param densities per organ, kg per cubic metre; none: all have the piece's
-std::vector<Solid> with_organs(std::vector<Solid> pieces, const FruitOrgans& organs, std::span<const double> densities);
-
-/// The mean density of each organ by the volumes of its regions, from 0 on.
-/// \param density of what lies in no region, `excess` per region what it has more; kg per cubic metre
-std::vector<double> organ_densities(const FruitOrgans& organs, const PartRegions& regions,
-                                    std::span<const double> excess, double density);
+/// mean densities of organs.
+std::vector<Solid> with_organs(std::vector<Solid> pieces, const GrownFruit& grown, const Template& fruit);
 
 }  // namespace pomona

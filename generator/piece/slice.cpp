@@ -13,6 +13,7 @@
 #include "generator/mesh/box.h"
 #include "generator/piece/brown.h"
 #include "generator/piece/guided.h"
+#include "generator/piece/organs.h"
 #include "generator/piece/section_colors.h"
 #include "generator/piece/weigh.h"
 
@@ -160,6 +161,10 @@ std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled
                             const Diffuser* diffuser, const SliceOptions& options) {
   std::vector<Solid> pieces =
       weighed(solids(fruit.cut.pieces, styled, task.variant, task.name), task.grown, task.variant);
+  if (options.organs)
+    pieces = with_organs(std::move(pieces), task.grown, task.variant);
+  else
+    for (Solid& piece : pieces) piece.mesh.instance.clear();  // told with the organs or not at all
   if (!pieces.empty()) pieces[0].own_look().on_skin = fruit.on_skin;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     pieces[i].origin = origin_of(task, options.cut);

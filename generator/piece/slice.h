@@ -40,7 +40,8 @@ struct SliceOptions {
   bool pieces = true;  ///< false = only the section
   /// For textures: every piece keeps its SectionColors. The diffuser must then outlive the pieces.
   bool keep_section_colors = false;
-  Threads threads{};                    ///< for many fruits at once; the result does not depend on them
+  bool organs = false;  ///< volumes and masses of organs, too (organs.h), for lists, records and ground truth
+  Threads threads{};    ///< for many fruits at once; the result does not depend on them
   std::function<void()> one_done = {};  ///< called for each fruit when it is finished, by any thread
 };
 

@@ -73,6 +73,7 @@ class SolidBuilder {
     solid_.mesh.triangle.emplace_back(corner.x, cap.reversed ? corner.z : corner.y, cap.reversed ? corner.y : corner.z);
     solid_.mesh.cut_face.push_back(face);
     solid_.mesh.surface.push_back(-1);
+    if (!piece_.instance.empty()) solid_.mesh.instance.push_back(0);  // organs.h says of which organ
   }
 
   /// A vertex of the section as seen on one face: where faces meet, each has its own normal, and so has either side of

@@ -39,7 +39,7 @@ struct SolidMesh {
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> cut_face;  ///< per triangle: index of the cut face, -1 on skin and cavity walls
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink
-  std::vector<std::int32_t> instance;  ///< per triangle: the organ it is of (organs.h); empty where there are none
+  std::vector<std::int32_t> instance;  ///< per triangle: the organ it is of (organs.h); empty if none was asked for
 
   std::array<glm::dvec3, 3> corners(std::size_t t) const {
     return {position[triangle[t].x], position[triangle[t].y], position[triangle[t].z]};
@@ -99,7 +99,8 @@ struct Solid {
   /// The instances of placed templates whose skin it has, ascending, 0: the fruit's own; empty where nothing is placed.
   std::vector<std::int32_t> instances;
 
-  /// All that it has of each organ, on its skin or within; ascending. Their volumes and masses add up to its own.
+  /// All that it has of each organ, on its skin or within; ascending; if asked for (SliceOptions::organs). Their
+  /// volumes and masses add up to its own.
   std::vector<Organ> organs;
 
   /// The source of the cut faces' colours, for textures; else null (generator/piece/section_colors.h).

@@ -1,9 +1,7 @@
 #include "generator/piece/weigh.h"
 
 #include <algorithm>
-#include <utility>
 
-#include "generator/piece/organs.h"
 #include "generator/piece/region_rays.h"
 #include "generator/surface/part_regions.h"
 
@@ -20,14 +18,17 @@ double density_of(const Template& fruit, const std::string& part) {
 
 }  // namespace
 
-std::vector<Solid> weighed(std::vector<Solid> pieces, const GrownFruit& grown, const Template& fruit) {
-  const FruitOrgans organs(grown.sheets, fruit);
-  if (fruit.densities.empty()) return with_organs(std::move(pieces), organs, {});
-  const PartRegions regions = part_regions(joined(grown.swept, grown.grains));
+std::vector<double> excess_densities(const PartRegions& regions, const Template& fruit) {
   std::vector<double> excess;
   for (const PartRegions::Region& region : regions.region)
     excess.push_back(density_of(fruit, regions.part_names[static_cast<std::size_t>(region.part)]) - fruit.density);
+  return excess;
+}
 
+std::vector<Solid> weighed(std::vector<Solid> pieces, const GrownFruit& grown, const Template& fruit) {
+  if (fruit.densities.empty()) return pieces;
+  const PartRegions regions = part_regions(joined(grown.swept, grown.grains));
+  const std::vector<double> excess = excess_densities(regions, fruit);
   const glm::dvec3 origin = bounds_of(grown.swept).center();
   const std::vector<Moments> more = excess_moments(pieces, regions, excess, origin);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -37,8 +38,7 @@ std::vector<Solid> weighed(std::vector<Solid> pieces, const GrownFruit& grown, c
     all.add(more[i]);
     if (all.mass > 0) pieces[i].weighed = rigid_mass(all, origin);
   }
-  if (organs.empty()) return pieces;
-  return with_organs(std::move(pieces), organs, organ_densities(organs, regions, excess, fruit.density));
+  return pieces;
 }
 
 }  // namespace pomona

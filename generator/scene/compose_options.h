@@ -32,6 +32,7 @@ struct ComposeOptions {
   double detail = 1;         ///< see SweepOptions
   CutOptions cut = coarse_cut;
   bool keep_section_colors = false;  ///< for textures: every solid keeps its SectionColors
+  bool organs = false;               ///< see SliceOptions
   Threads threads{};
   /// For outputs that do not need the whole scene at once: takes the solids of some variants at a time, in the scene's
   /// order, the dishes last. The scene then keeps only the triangles of their meshes. Another thread calls it while the

@@ -206,6 +206,7 @@ std::vector<Made> all_made(std::span<const Task> tasks, const Ingredients& from,
   Teller teller(options, "pieces", tasks.size(), 2);
   const SliceOptions how{.cut = options.cut,
                          .keep_section_colors = options.keep_section_colors,
+                         .organs = options.organs,
                          .threads = options.threads,
                          .one_done = [&] { teller.step_done(); }};
   std::vector<Made> made(tasks.size());

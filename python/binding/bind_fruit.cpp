@@ -126,7 +126,7 @@ Scene cut_up(const GrownFamily& family, const Order& order, const Diffuser& diff
   const Style style = ordered_style(order);
   std::vector<Solid> solids;
   for (const OrderedFruit& fruit : family.fruits) {
-    Slices slices = cut_to_order(fruit, order, &diffuser);
+    Slices slices = cut_to_order(fruit, order, &diffuser, OrganFacts::always);
     take(std::move(slices.warnings), telltale);
     std::vector<Solid> own = std::move(slices.pieces);
     if (!family.is_one(order)) own = named_by_seed(std::move(own), fruit.origin.key.seed);

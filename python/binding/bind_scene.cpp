@@ -58,7 +58,9 @@ Composed compose_scene(const std::string& word, const std::optional<std::string>
     const Order order = completed(asked, description);
     description.seed = *order.fruit.seed;
     const std::shared_ptr<const Diffuser> diffuser = ordered_diffuser(order, telltale.progress);
-    Composition composition = compose(description, diffuser.get(), compose_options(order, telltale.progress));
+    ComposeOptions composing = compose_options(order, telltale.progress);
+    composing.organs = true;  // ground truth is asked for later
+    Composition composition = compose(description, diffuser.get(), composing);
     if (!description.paper) composition.scene.paper = ordered_style(order).paper;
     composed = std::make_shared<ComposedScene>(order, description, std::move(composition.scene), diffuser);
     const std::vector<std::string>& more = composition.report.warnings;

@@ -35,7 +35,7 @@ class Truth:
     """What each pixel of a picture shows. The arrays have the picture's shape; numbers begin at 1, 0 is the table.
 
     instance, fruit, part   numbers; `instances`, `fruits` and `parts` are what they stand for, from 1 on
-    organ                   the instance of a placed template, a berry of a bunch; 0: the fruit itself
+    organ                   of pieces and scenes: the berry of a bunch, by its number; 0: the fruit itself
     depth                   metres along the line of sight of the picture's middle
     normal                  unit, in the scene's frame
     section                 1 where a cut face shows
