@@ -302,4 +302,25 @@ export class Picture {
     this.card.drop(target);
     return pixels;
   }
+
+  /** For tests: the same with noise and details, without lines. */
+  detailed(fruit, frame, size) {
+    const {gl, card, passes} = this, pixels = new Uint8Array(4 * size * size);
+    const bare = card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
+    const face = {frame, size, bare, paint: passes.newPaint(size), styled: passes.newStyled(size)};
+    passes.setProfiles([{profile: new Float32Array(profilePlaces)}]);
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.BLEND);
+    gl.viewport(0, 0, size, size);
+    for (const {
+           name,
+           draw
+         } of [...passes.lookStages({fruit}, face, 0), ...passes.paintStages(fruit, face, 0, fruit.details)]) {
+      if (name === 'lines') break;
+      draw();
+    }
+    gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    [bare, face.styled, ...face.paint].forEach((target) => card.drop(target));
+    return pixels;
+  }
 }

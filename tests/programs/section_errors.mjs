@@ -7,10 +7,13 @@ export const bars = {
   wrong: 0
 };
 
-/** What write_sections has left of a fruit: its squares, each with true colours. */
-export function readSections(folder, name) {
+/**
+ * What write_sections has left of a fruit: its squares, each with true colours. `what`: "sections" for bare colours,
+ * "looks" for those with noise and details.
+ */
+export function readSections(folder, name, what = 'sections') {
   const {size, squares} = JSON.parse(readFileSync(`${folder}/${name}.json`));
-  const bytes = readFileSync(`${folder}/${name}.sections`);
+  const bytes = readFileSync(`${folder}/${name}.${what}`);
   const all = new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
   return squares.map(
     (square, i) => ({...square, size, truth: all.subarray(4 * size * size * i, 4 * size * size * (i + 1))}));

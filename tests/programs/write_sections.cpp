@@ -1,7 +1,8 @@
 // Fruits as assets and pages, and squares of their sections as the harmonic field colours them in C++: what browsers
 // and Node are held to.
 //   write_sections FOLDER SIZE TEMPLATE[:SEED]...    makes FOLDER/NAME.pomona, NAME.html, NAME.json and NAME.sections;
-// NAME is TEMPLATE, or TEMPLATE-SEED for a variant.
+// NAME is TEMPLATE, or TEMPLATE-SEED for a variant. NAME.looks has the same squares with noise and details, by example
+// and others, as the processor paints them where no lattice comes between: each point has its own guide.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -16,12 +17,15 @@
 #include "generator/compose/grow.h"
 #include "generator/diffusion/harmonic/harmonic_diffuser.h"
 #include "generator/mesh/enclosures.h"
+#include "generator/piece/guided.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/body_walls.h"
+#include "generator/surface/skin_depth.h"
 #include "generator/template/read/read_template.h"
 #include "render/page/asset_file.h"
 #include "render/page/make_asset.h"
 #include "render/page/page.h"
+#include "render/style/look.h"
 #include "render/style/style_file.h"
 
 namespace {
@@ -72,14 +76,28 @@ void write(const fs::path& file, const std::string& bytes) {
 }
 
 /// Per point: red, green, blue (linear floats), and 1 inside, 0 in air.
-std::string bytes_of(const std::vector<glm::vec3>& points, const ColorField& field, const Enclosures& bodies) {
-  const DiffusedColors colors = field.at(points);
+std::string bytes_of(const std::vector<glm::vec3>& points, const std::vector<Color>& color, const Enclosures& bodies) {
   std::string bytes;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::vec4 value(colors.color[i], bodies.around(glm::dvec3(points[i])).empty() ? 0.0f : 1.0f);
+    const glm::vec4 value(color[i], bodies.around(glm::dvec3(points[i])).empty() ? 0.0f : 1.0f);
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   return bytes;
+}
+
+/// The colours with the fruit's noise and details. \param footprint of a point, metres
+std::vector<Color> painted(const std::vector<glm::vec3>& points, const DiffusedColors& bare, const GrownFruit& grown,
+                           const Template& fruit, double footprint) {
+  const Look look(fruit.noise, fruit.details);
+  const SkinDepth skin(grown.swept);
+  const std::vector<DetailGuide> guides = layer_guides(points, grown.swept, fruit, skin);
+  std::vector<Color> color(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    LookPlace place{.position = glm::dvec3(points[i]), .footprint = footprint, .guide = guides[i]};
+    place.guide.share = detail_shares(fruit, DetailFace::cut, bare.part[i], skin.depth(place.position));
+    color[i] = look(bare.color[i], place);
+  }
+  return color;
 }
 
 /// A template, as drawn or as a seed varies it.
@@ -111,7 +129,7 @@ void write_fruit(const Wanted& wanted, int size, const fs::path& folder) {
   const auto field = make_harmonic_diffuser()->field(grown.sheets);
   const Enclosures bodies = body_walls(grown.sheets, find_bodies(grown.sheets));
   nlohmann::json squares = nlohmann::json::array();
-  std::string bytes;
+  std::string bytes, looks;
   for (const Square& square : squares_of(bounds_of(grown.sheets))) {
     squares.push_back({{"name", square.name},
                        {"origin", list_of((square.origin - asset.origin) / asset.spacing)},
@@ -119,10 +137,14 @@ void write_fruit(const Wanted& wanted, int size, const fs::path& folder) {
                        {"v", list_of(square.v)},
                        {"n", list_of(square.n)},
                        {"reach", square.reach / asset.spacing}});
-    bytes += bytes_of(points_of(square, size), *field, bodies);
+    const std::vector<glm::vec3> points = points_of(square, size);
+    const DiffusedColors bare = field->at(points);
+    bytes += bytes_of(points, bare.color, bodies);
+    looks += bytes_of(points, painted(points, bare, grown, fruit, 2 * square.reach / size), bodies);
   }
   write(folder / (name + ".json"), nlohmann::json({{"size", size}, {"squares", squares}}).dump());
   write(folder / (name + ".sections"), bytes);
+  write(folder / (name + ".looks"), looks);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // A sample of variants of all templates. bench/variants checks a thousand of each.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <tuple>
 
@@ -197,6 +198,24 @@ TEST(Variation, KeepsSurfacesFromCrossingWhereTheAxisBends) {
     for (const CrossingKind& kind : kinds_of(swept, crossing_triangles(swept)))
       EXPECT_TRUE(crossings.contains(kind)) << seed;
   }
+}
+
+/// A kiwi's outer flesh went through its core, and lent it a band of its green, and its pattern.
+TEST(TemplateLayers, OfAKiwiDoNotCross) {
+  const Template fruit = drawn("kiwi");
+  const auto is_layer = [&](std::int32_t surface) {
+    const SurfaceSketch& sketch = fruit.surfaces[static_cast<std::size_t>(surface)];
+    return sketch.type == SurfaceType::around_axis && !sketch.front.hidden && !sketch.back.hidden;
+  };
+  std::set<CrossingKind> wanted;
+  for (std::int32_t a = 0; a < static_cast<std::int32_t>(fruit.surfaces.size()); ++a)
+    for (std::int32_t b = a + 1; b < static_cast<std::int32_t>(fruit.surfaces.size()); ++b)
+      if (is_layer(a) && is_layer(b)) wanted.insert({a, b, false});
+  EXPECT_THAT(wanted, testing::SizeIs(3)) << "rind, outer flesh, core";
+  EXPECT_THAT(crossing_kinds_of(sweep(fruit), wanted), testing::IsEmpty());
+  const Variation variation(fruit);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    EXPECT_THAT(crossing_kinds_of(sweep(variation.draw({seed, 0}, {}).fruit), wanted), testing::IsEmpty()) << seed;
 }
 
 }  // namespace
