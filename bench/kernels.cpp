@@ -1,5 +1,8 @@
-// The parts of diffusion on the CPU by themselves, on the bench model, with Google Benchmark.
+// The parts of diffusion on the CPU by themselves, on the bench model, and the look-up of an example, with Google
+// Benchmark.
 //   kernels [--benchmark_filter=REGEX]
+#include <algorithm>
+#include <random>
 #include <span>
 #include <vector>
 
@@ -12,6 +15,9 @@
 #include "generator/diffusion/pmvc/line_sweep.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/diffusion/pmvc/relaxed_lines.h"
+#include "generator/template/read/read_template.h"
+#include "render/style/example.h"
+#include "render/style/look.h"
 #include "tests/shapes/seeded_fruit.h"
 
 namespace {
@@ -101,6 +107,55 @@ void whole(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(diffuser->diffuse(scene.surfaces, scene.points));
 }
 
+/// A kiwi's detail by example, at places of its flesh in no order, each with a way of its own: the cube is far larger
+/// than the first cache.
+struct ExamplePlaces {
+  static constexpr std::size_t count = 4096;
+
+  ExamplePlaces() {
+    const std::vector<Look::Detail>& details = look.details(DetailFace::cut);
+    detail = &*std::find_if(details.begin(), details.end(),
+                            [](const Look::Detail& one) { return one.pattern.detail().tile != nullptr; });
+    std::mt19937 random(1);
+    const auto within = [&](float reach) {
+      const auto one = [&] { return reach * (static_cast<float>(random()) / 2147483648.0f - 1); };
+      return glm::vec3(one(), one(), one());
+    };
+    for (std::size_t i = 0; i < count; ++i) place.push_back({within(0.025f), {within(0.01f), 0.005f, glm::vec4(1)}});
+  }
+
+  struct Place {
+    glm::vec3 position{0};
+    DetailGuide guide;
+  };
+  Template fruit = read_template(POMONA_SOURCE_DIR "/templates/kiwi.toml");
+  Look look{fruit.noise, fruit.details};
+  const Look::Detail* detail = nullptr;
+  std::vector<Place> place;
+};
+
+/// The coordinate and one look-up. \param state range 0: the footprint, micrometres: at 300 two levels of the tile mix.
+void example_look_up(benchmark::State& state) {
+  const ExamplePlaces places;
+  const double footprint = 1e-6 * static_cast<double>(state.range(0));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const ExamplePlaces::Place& at = places.place[i++ % ExamplePlaces::count];
+    benchmark::DoNotOptimize(places.detail->pattern(glm::dvec3(at.position), at.guide, footprint));
+  }
+}
+
+/// The look-up alone.
+void tile_look_up(benchmark::State& state) {
+  const ExamplePlaces places;
+  const ExampleTile& tile = *places.detail->pattern.detail().tile;
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const glm::dvec3 at(places.place[i++ % ExamplePlaces::count].position);
+    benchmark::DoNotOptimize(tile_color(tile, 125.0 * at, 1));
+  }
+}
+
 BENCHMARK(tree_build)->Unit(benchmark::kMillisecond);
 BENCHMARK(packing)->Unit(benchmark::kMillisecond);
 BENCHMARK(group_order)->Arg(3000)->Unit(benchmark::kMillisecond);
@@ -114,6 +169,8 @@ BENCHMARK(whole)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+BENCHMARK(tile_look_up)->Unit(benchmark::kNanosecond);
+BENCHMARK(example_look_up)->Arg(100)->Arg(300)->Unit(benchmark::kNanosecond);
 
 }  // namespace
 
