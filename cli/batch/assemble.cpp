@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/batch/contact_sheet.h"
+#include "cli/batch/summary/contact_sheet.h"
 #include "cli/batch/finished_item.h"
 #include "cli/data/data_files.h"
 #include "generator/base/error.h"

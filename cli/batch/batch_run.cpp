@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/batch/assemble.h"
-#include "cli/batch/report.h"
 #include "cli/batch/run_batch.h"
 #include "cli/batch/sizes.h"
+#include "cli/batch/summary/report.h"
 #include "cli/batch/update.h"
 #include "cli/batch/wanted_batch.h"
 #include "cli/options/option_checks.h"

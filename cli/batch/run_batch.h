@@ -6,7 +6,7 @@
 
 #include "cli/batch/finished_item.h"
 #include "cli/batch/item_work.h"
-#include "cli/batch/tally.h"
+#include "cli/batch/summary/tally.h"
 #include "cli/batch/workplace.h"
 #include "cli/deliver/progress.h"
 #include "generator/base/parallel.h"

@@ -340,6 +340,19 @@ def names_a_file(root, folder, named):
     return "/" not in named and any(path.is_file() for path in folder.rglob(named))
 
 
+# A folder of the command line holds no more files than a reader takes in.
+MAX_CLI_FILES = 30
+
+
+def check_sizes(root):
+    """All folders of the command line with too many files, as "file:line: what"."""
+    root = pathlib.Path(root)
+    cli = root / "cli"
+    counts = {p: sum(f.is_file() for f in p.iterdir()) for p in [cli, *cli.rglob("*")] if p.is_dir()}
+    return [f"{p.relative_to(root).as_posix()}:1: {n} files, of {MAX_CLI_FILES} at most"
+            for p, n in sorted(counts.items()) if n > MAX_CLI_FILES]
+
+
 def check_readmes(root):
     """All folders of the road without a README, and all that READMEs name and is not there, as "file:line: what"."""
     root = pathlib.Path(root)
@@ -354,7 +367,7 @@ def check_readmes(root):
 
 
 def main():
-    wrong = check(sys.argv[1]) + check_readmes(sys.argv[1])
+    wrong = check(sys.argv[1]) + check_readmes(sys.argv[1]) + check_sizes(sys.argv[1])
     print("\n".join(wrong))
     return 1 if wrong else 0
 

@@ -155,5 +155,14 @@ class Readmes(Tree):
             self.assert_wrong(self.ROOM | {"cli/README.md": f"\nSee `{named}`.\n"}, "cli/README.md:2", named)
 
 
+class Sizes(Tree):
+    check = staticmethod(check_sources.check_sizes)
+
+    def test_folders_of_the_command_line_are_small(self):
+        files = {f"cli/batch/{n}.cpp": "" for n in range(30)}
+        self.assert_fine(files)
+        self.assert_wrong(files | {"cli/batch/more.cpp": ""}, "cli/batch:1", "31 files")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,6 +1,7 @@
 #include "render/export/collision/hull_cut.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -35,12 +36,10 @@ KeptCorners kept_before(const std::array<glm::dvec3, 3>& triangle, const std::ar
 double volume_of(const ConvexHull& hull) {
   if (hull.triangle.empty()) return 0;
   const glm::dvec3 middle(hull.position.front());
-  double six_times = 0;
-  for (const glm::uvec3& t : hull.triangle) {
-    six_times += glm::dot(glm::dvec3(hull.position[t.x]) - middle,
-                          glm::cross(glm::dvec3(hull.position[t.y]) - middle, glm::dvec3(hull.position[t.z]) - middle));
-  }
-  return six_times / 6;
+  return signed_volume(hull.triangle, [&](const glm::uvec3& t) {
+    const auto corner = [&](std::uint32_t v) { return glm::dvec3(hull.position[v]) - middle; };
+    return std::array{corner(t.x), corner(t.y), corner(t.z)};
+  });
 }
 
 double volume_before(std::span<const glm::dvec3> corners, std::span<const glm::uvec3> triangles,

@@ -10,7 +10,7 @@
 
 #include "cli/batch/memory_budget.h"
 #include "cli/batch/sizes.h"
-#include "cli/batch/tally.h"
+#include "cli/batch/summary/tally.h"
 #include "cli/batch/workplace.h"
 #include "generator/base/error.h"
 #include "generator/base/parallel.h"

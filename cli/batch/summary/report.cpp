@@ -1,10 +1,10 @@
-#include "cli/batch/report.h"
+#include "cli/batch/summary/report.h"
 
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
 
-#include "cli/batch/tally.h"
+#include "cli/batch/summary/tally.h"
 #include "generator/base/json_text.h"
 
 namespace pomona {

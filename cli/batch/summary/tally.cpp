@@ -1,4 +1,4 @@
-#include "cli/batch/tally.h"
+#include "cli/batch/summary/tally.h"
 
 #include <cstdio>
 

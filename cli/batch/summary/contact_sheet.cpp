@@ -1,4 +1,4 @@
-#include "cli/batch/contact_sheet.h"
+#include "cli/batch/summary/contact_sheet.h"
 
 #include <nlohmann/json.hpp>
 
