@@ -19,7 +19,13 @@ import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1) if len(sys.argv) > 1 else ".").resolve()
 NOT_COPIED = shutil.ignore_patterns(".git", "build*", "out", "node_modules", "__pycache__")
-NEEDED = {"clang-bytes": "clang++", "clang": "clang++", "python": "pybind11-config"}
+NEEDED = {"clang-bytes": ["clang++", "--version"], "clang": ["clang++", "--version"],
+          "python": ["pkg-config", "--exists", "pybind11"]}
+
+
+def can_be_tried(preset):
+    command = NEEDED.get(preset)
+    return not command or bool(shutil.which(command[0])) and subprocess.run(command, capture_output=True).returncode == 0
 
 
 def targets():
@@ -50,8 +56,8 @@ def wanted(folder):
         for command in commands_of(target, folder):
             if configured := re.search(r"cmake --preset ([\w-]+)", command):
                 preset = configured.group(1)
-                if preset in NEEDED and not shutil.which(NEEDED[preset]):
-                    continue
+                if not can_be_tried(preset):
+                    break  # what follows is built with it
                 before, now[folder_of[preset]] = now.get(folder_of[preset]), preset
                 if before != preset:
                     steps.setdefault((before, preset), target)
