@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/batch/summary/contact_sheet.h"
 #include "cli/batch/finished_item.h"
+#include "cli/batch/summary/contact_sheet.h"
 #include "cli/data/data_files.h"
 #include "generator/base/error.h"
 #include "generator/base/first_bytes.h"
