@@ -19,6 +19,15 @@ std::uint16_t numbered(std::map<Key, std::uint16_t>& known, const Key& key, std:
   return place->second;
 }
 
+void refuse_large_organs(const Solid& solid) {
+  for (const Organ& organ : solid.organs) {
+    if (static_cast<std::size_t>(organ.instance) <= max_numbers) continue;
+    throw Error(ExitStatus::usage,
+                "--aov: \"" + solid.name + "\" has an organ of the number " + std::to_string(organ.instance),
+                "ids have 16 bits: at most 65535");
+  }
+}
+
 }  // namespace
 
 TruthNaming truth_naming(const Scene& scene) {
@@ -30,6 +39,7 @@ TruthNaming truth_naming(const Scene& scene) {
   std::map<std::string, std::uint16_t> species, fruits;
   std::map<std::pair<std::uint16_t, std::string>, std::uint16_t> parts;
   for (const Solid& solid : scene.solids) {
+    refuse_large_organs(solid);
     // Solids without a template use their own name.
     const std::string& kind = solid.origin.fruit.empty() ? solid.name : solid.origin.fruit;
     const std::string& fruit = solid.origin.variant.empty() ? solid.name : solid.origin.variant;

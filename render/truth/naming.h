@@ -34,7 +34,7 @@ struct TruthNaming {
 };
 
 /// Instances are numbered in the scene's order, from 1.
-/// \throws Error (usage) for more than 65 535 instances: their numbers have 16 bits.
+/// \throws Error (usage) for more than 65 535 instances, or organs of one fruit: their numbers have 16 bits.
 TruthNaming truth_naming(const Scene& scene);
 
 }  // namespace pomona

@@ -307,6 +307,15 @@ TEST(Annotations, OrgansAddUpToTheirPiece) {
   EXPECT_GE(with_organs, 1);
 }
 
+TEST(Annotations, OrgansWhoseNumbersDoNotFitAreRefused) {
+  Scene scene = balls_of_organs();
+  Solid& ball = scene.solids[static_cast<std::size_t>(scene.instances[0].solid)];
+  ball.organs.back().instance = 65535;
+  EXPECT_NO_THROW(ground_truth(scene, options()));
+  ball.organs.back().instance = 65536;
+  EXPECT_THROW(ground_truth(scene, options()), Error);
+}
+
 TEST(Annotations, WithoutOrgansAreAsBefore) {
   const std::vector<TruthFile> files = ground_truth(hiding_balls(), options());
   for (const TruthFile& one : files) EXPECT_NE(one.name, "organ.png");
