@@ -150,6 +150,45 @@ class Surrounding {
   std::vector<In> in_;
 };
 
+/// A stretch of a ray within a piece.
+struct RayStretch {
+  std::uint32_t ray = 0;
+  std::size_t piece = 0;
+  std::int32_t times = 0;  ///< how often the piece is around it
+  double from = 0, to = 0;
+};
+
+/// Calls add(stretch, surrounding) for all stretches, `surrounding` without the pieces. A piece's stretches end where
+/// it ends and where a region does, never where another piece does: so its sums are the same to the bit whichever
+/// others are there.
+template <typename Add>
+void for_each_stretch(const std::vector<Passing>& passings, const Add& add) {
+  Surrounding regions, pieces;
+  for (std::size_t i = 0; i < passings.size(); ++i) {
+    const Passing& now = passings[i];
+    if (i == 0 || passings[i - 1].ray != now.ray) regions.clear(), pieces.clear();
+    for (Surrounding::In& piece : pieces.all()) {
+      if (now.what < 0 && now.what != piece.what) continue;
+      if (now.height > piece.since)
+        add(RayStretch{now.ray, static_cast<std::size_t>(-1 - piece.what), piece.times, piece.since, now.height},
+            regions);
+      piece.since = now.height;
+    }
+    (now.what < 0 ? pieces : regions).pass(now.what, now.into, now.height);
+  }
+}
+
+/// Open pieces have no inside. \param seen gives a place in the frame of the rays
+template <typename Seen>
+void pass_pieces(RayLattice& lattice, std::span<const Solid> pieces, const Seen& seen) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!pieces[i].closed) continue;
+    const std::vector<glm::vec3>& position = pieces[i].mesh.position;
+    for (const glm::uvec3& t : pieces[i].mesh.triangle)
+      lattice.pass({seen(position[t.x]), seen(position[t.y]), seen(position[t.z])}, -1 - static_cast<std::int32_t>(i));
+  }
+}
+
 /// Moments of a stretch of a ray, per area of its cell and density.
 Moments stretch(const glm::dvec2& p, double from, double to) {
   const double length = to - from, middle = 0.5 * (to * to - from * from),
@@ -175,11 +214,7 @@ class ExcessSum {
       for (std::size_t t = region.first; t < region.first + region.count; ++t)
         lattice.pass(seen(regions_.position, regions_.triangle[t]), static_cast<std::int32_t>(r));
     }
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (!pieces_[i].closed) continue;
-      for (const glm::uvec3& t : pieces_[i].mesh.triangle)
-        lattice.pass(seen(pieces_[i].mesh.position, t), -1 - static_cast<std::int32_t>(i));
-    }
+    pass_pieces(lattice, pieces_, [&](const glm::vec3& place) { return seen(place); });
     std::vector<Moments> sums = summed(lattice, excess);
     for (Moments& m : sums) m = turned_back(m, lattice.step() * lattice.step());
     return sums;
@@ -199,27 +234,14 @@ class ExcessSum {
     return box;
   }
 
-  /// A piece's stretches end where it ends and where a region does, never where another piece does: so its sums are the
-  /// same to the bit whichever others are there.
   std::vector<Moments> summed(RayLattice& lattice, std::span<const double> excess) const {
     std::vector<Moments> sums(pieces_.size());
-    Surrounding regions, pieces;
-    const std::vector<Passing> passings = std::move(lattice).sorted();
-    for (std::size_t i = 0; i < passings.size(); ++i) {
-      const Passing& now = passings[i];
-      if (i == 0 || passings[i - 1].ray != now.ray) regions.clear(), pieces.clear();
+    for_each_stretch(std::move(lattice).sorted(), [&](const RayStretch& at, const Surrounding& regions) {
       const std::int32_t region = regions.min();
-      for (Surrounding::In& piece : pieces.all()) {
-        if (now.what < 0 && now.what != piece.what) continue;
-        if (region >= 0 && excess[static_cast<std::size_t>(region)] != 0 && now.height > piece.since) {
-          const Moments part = stretch(lattice.place(now.ray), piece.since, now.height);
-          sums[static_cast<std::size_t>(-1 - piece.what)].add(part,
-                                                              piece.times * excess[static_cast<std::size_t>(region)]);
-        }
-        piece.since = now.height;
-      }
-      (now.what < 0 ? pieces : regions).pass(now.what, now.into, now.height);
-    }
+      if (region < 0 || excess[static_cast<std::size_t>(region)] == 0) return;
+      sums[at.piece].add(stretch(lattice.place(at.ray), at.from, at.to),
+                         at.times * excess[static_cast<std::size_t>(region)]);
+    });
     return sums;
   }
 
@@ -233,63 +255,28 @@ class ExcessSum {
   glm::dmat3 frame_ = ray_frame();
 };
 
-class OrganSum {
- public:
-  OrganSum(std::span<const Solid> pieces, std::span<const Enclosures::Triangle> skins)
-      : pieces_(pieces), skins_(skins) {
-    for (const Enclosures::Triangle& t : skins)
-      for (const glm::dvec3& p : t.corner) box_.add(p * frame_);
-  }
-
-  std::vector<std::map<std::int32_t, double>> run(int rays) const {
-    RayLattice lattice(box_, rays);
-    for (const Enclosures::Triangle& t : skins_)
-      lattice.pass({t.corner[0] * frame_, t.corner[1] * frame_, t.corner[2] * frame_},
-                   static_cast<std::int32_t>(t.mesh));
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const SolidMesh& mesh = pieces_[i].mesh;
-      for (std::size_t t = 0; pieces_[i].closed && t < mesh.triangle.size(); ++t) {
-        const auto [a, b, c] = mesh.corners(t);
-        lattice.pass({a * frame_, b * frame_, c * frame_}, -1 - static_cast<std::int32_t>(i));
-      }
-    }
-    const double cell = lattice.step() * lattice.step();
-    return summed(std::move(lattice).sorted(), cell);
-  }
-
- private:
-  /// As in ExcessSum, a piece's sums do not depend on the other pieces.
-  std::vector<std::map<std::int32_t, double>> summed(const std::vector<Passing>& passings, double cell) const {
-    std::vector<std::map<std::int32_t, double>> sums(pieces_.size());
-    Surrounding organs, pieces;
-    for (std::size_t i = 0; i < passings.size(); ++i) {
-      const Passing& now = passings[i];
-      if (i == 0 || passings[i - 1].ray != now.ray) organs.clear(), pieces.clear();
-      for (Surrounding::In& piece : pieces.all()) {
-        if (now.what < 0 && now.what != piece.what) continue;
-        if (now.height > piece.since)
-          sums[static_cast<std::size_t>(-1 - piece.what)][organs.organ()] +=
-              cell * piece.times * (now.height - piece.since);
-        piece.since = now.height;
-      }
-      (now.what < 0 ? pieces : organs).pass(now.what, now.into, now.height);
-    }
-    return sums;
-  }
-
-  std::span<const Solid> pieces_;
-  std::span<const Enclosures::Triangle> skins_;
-  glm::dmat3 frame_ = ray_frame();
-  Box<double> box_;
-};
-
 }  // namespace
 
 std::vector<std::map<std::int32_t, double>> organ_ray_volumes(std::span<const Solid> pieces,
                                                               std::span<const Enclosures::Triangle> skins,
                                                               const RegionRayOptions& options) {
-  if (skins.empty()) return std::vector<std::map<std::int32_t, double>>(pieces.size());
-  return OrganSum(pieces, skins).run(options.rays);
+  std::vector<std::map<std::int32_t, double>> sums(pieces.size());
+  if (skins.empty()) return sums;
+  const glm::dmat3 frame = ray_frame();
+  Box<double> box;
+  for (const Enclosures::Triangle& t : skins)
+    for (const glm::dvec3& p : t.corner) box.add(p * frame);
+
+  RayLattice lattice(box, options.rays);
+  for (const Enclosures::Triangle& t : skins)
+    lattice.pass({t.corner[0] * frame, t.corner[1] * frame, t.corner[2] * frame}, static_cast<std::int32_t>(t.mesh));
+  pass_pieces(lattice, pieces, [&](const glm::vec3& place) { return glm::dvec3(place) * frame; });
+
+  const double cell = lattice.step() * lattice.step();
+  for_each_stretch(std::move(lattice).sorted(), [&](const RayStretch& at, const Surrounding& organs) {
+    sums[at.piece][organs.organ()] += cell * at.times * (at.to - at.from);
+  });
+  return sums;
 }
 
 std::vector<Moments> excess_moments(std::span<const Solid> pieces, const PartRegions& regions,
