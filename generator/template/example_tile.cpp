@@ -8,6 +8,8 @@
 
 #include <glm/common.hpp>
 
+#include "generator/base/luminance.h"
+
 namespace pomona {
 
 namespace {
@@ -44,11 +46,6 @@ std::array<Color, 256> linear_of_bytes() {
 }
 
 }  // namespace
-
-double luminance(const Color& color) {
-  return 0.2126 * static_cast<double>(color.r) + 0.7152 * static_cast<double>(color.g) +
-         0.0722 * static_cast<double>(color.b);
-}
 
 ExampleTile example_tile(const std::string& path, int side, std::vector<glm::u8vec3> texel) {
   const std::array<Color, 256> linear = linear_of_bytes();

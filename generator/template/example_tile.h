@@ -32,7 +32,4 @@ struct ExampleTile {
 /// above are the mean of what is left.
 ExampleTile example_tile(const std::string& path, int side, std::vector<glm::u8vec3> texel);
 
-/// Luminance of a linear colour (Rec. 709).
-double luminance(const Color& color);
-
 }  // namespace pomona

@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/luminance.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "render/image/linear_pixels.h"
@@ -19,11 +20,6 @@ namespace {
 
 // White paper under the usual light of pictures (shaders/lit.glsl) gets this much from the lamp, and from all sides.
 constexpr double usual_lamp = 0.7, usual_ambient = 0.5;
-
-double luminance_of(const Color& color) {
-  return 0.2126 * static_cast<double>(color.r) + 0.7152 * static_cast<double>(color.g) +
-         0.0722 * static_cast<double>(color.b);
-}
 
 /// A direction of the sky, and the solid angle for which it stands.
 struct SkyPlace {
@@ -50,7 +46,7 @@ std::vector<SkyPlace> sky_of(const Image& picture) {
     for (int x = 0; x < picture.width; ++x) {
       const Color& color = pixels[static_cast<std::size_t>(y) * picture.width + x];
       const glm::dvec2& turn = around[static_cast<std::size_t>(x)];
-      sky.push_back({color, luminance_of(color), {level * turn.x, up, level * turn.y}, solid_angle});
+      sky.push_back({color, luminance(color), {level * turn.x, up, level * turn.y}, solid_angle});
     }
   }
   return sky;

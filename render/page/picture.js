@@ -290,37 +290,36 @@ export class Picture {
 
   /** For tests: the bare colours of a square in a plane, as bytes; `frame` is in cells. */
   bare(fruit, frame, size) {
-    const {gl} = this, target = this.card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
-    const pixels = new Uint8Array(4 * size * size);
-    this.passes.setProfiles([{profile: new Float32Array(profilePlaces)}]);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
-    gl.viewport(0, 0, size, size);
-    gl.disable(gl.DEPTH_TEST);
-    gl.disable(gl.BLEND);
-    this.passes.drawLook(fruit, frame, 0);
-    gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    this.card.drop(target);
-    return pixels;
+    return this.squareBytes(size, (target) => {
+      this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, target.buffer);
+      this.passes.drawLook(fruit, frame, 0);
+      return [target];
+    });
   }
 
   /** For tests: the same with noise and details, without lines. */
   detailed(fruit, frame, size) {
-    const {gl, card, passes} = this, pixels = new Uint8Array(4 * size * size);
-    const bare = card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
-    const face = {frame, size, bare, paint: passes.newPaint(size), styled: passes.newStyled(size)};
-    passes.setProfiles([{profile: new Float32Array(profilePlaces)}]);
+    const {passes} = this;
+    return this.squareBytes(size, (bare) => {
+      const face = {frame, size, bare, paint: passes.newPaint(size), styled: passes.newStyled(size)};
+      const stages = [...passes.lookStages({fruit}, face, 0), ...passes.paintStages(fruit, face, 0, fruit.details)];
+      const lines = stages.findIndex(({name}) => name === 'lines');
+      stages.slice(0, lines < 0 ? stages.length : lines).forEach(({draw}) => draw());
+      return [bare, face.styled, ...face.paint];
+    });
+  }
+
+  /** The bytes of a square of so many pixels: `draw` leaves bound what is read, and says which targets to drop. */
+  squareBytes(size, draw) {
+    const {gl, card} = this, pixels = new Uint8Array(4 * size * size);
+    const target = card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
+    this.passes.setProfiles([{profile: new Float32Array(profilePlaces)}]);
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
     gl.viewport(0, 0, size, size);
-    for (const {
-           name,
-           draw
-         } of [...passes.lookStages({fruit}, face, 0), ...passes.paintStages(fruit, face, 0, fruit.details)]) {
-      if (name === 'lines') break;
-      draw();
-    }
+    const targets = draw(target);
     gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    [bare, face.styled, ...face.paint].forEach((target) => card.drop(target));
+    targets.forEach((used) => card.drop(used));
     return pixels;
   }
 }

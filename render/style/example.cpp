@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/luminance.h"
+
 namespace pomona {
 
 namespace {
