@@ -5,6 +5,7 @@
 
 #include "generator/template/template.h"
 #include "generator/variation/fold_samples.h"
+#include "generator/variation/fold_sectors.h"
 #include "generator/variation/polar_curve.h"
 
 namespace pomona {
@@ -15,7 +16,7 @@ namespace pomona {
 class HalfTurn {
  public:
   /// \param samples of the drawing.
-  HalfTurn(const FoldSymmetry& drawn, const std::vector<FoldSamples>& samples);
+  HalfTurn(const Template& drawn, const std::vector<FoldSamples>& samples);
 
   /// The angle by which all fold lines are to be turned, radians, at most a quarter turn to either side; 0 if the plane
   /// lies as well as in the drawing.
@@ -23,9 +24,17 @@ class HalfTurn {
   double operator()(const FoldSymmetry& variant, const std::vector<std::vector<PolarCurve>>& folds) const;
 
  private:
-  /// How many sides of the axis show the chambers of one of the samples in the drawing.
-  std::vector<int> shown_;
+  /// What it is the same to show: samples whose loops lie at one height, between the same parts.
+  struct Kind {
+    std::vector<std::size_t> samples;  ///< indices
+    int shown = 0;                     ///< on how many sides of the axis the drawing shows one of the loops
+  };
+
+  std::vector<Kind> kinds_;
+  int shown_between_folds_ = 0;  ///< without chambers, the plane stays between fold lines
   double drawn_score_ = 0;
+
+  double score_at(const std::vector<Sectors>& kinds, const Sectors& between_folds, double azimuth) const;
 };
 
 }  // namespace pomona

@@ -147,7 +147,7 @@ struct FoldDrawing {
       : fruit(drawn),
         widths(fold_widths(std::get<FoldSymmetry>(drawn.symmetry))),
         samples(fold_samples(drawn)),
-        half_turn(std::get<FoldSymmetry>(drawn.symmetry), samples) {}
+        half_turn(drawn, samples) {}
 };
 
 /// Draws that repeat the drawn folds in turn, for what does not vary.

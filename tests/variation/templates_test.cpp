@@ -118,6 +118,14 @@ TEST(TemplateHalves, ShowSeedsOfAKiwiOnBothSidesOfABentAxis) {
     EXPECT_GT(2 * seeds_in_half(fruit, {seed, 0}, false), as_drawn) << seed;
 }
 
+/// Before, each of a carpel's two rows of seeds counted by itself: opposite carpels turn the same row to a plane, and
+/// it passed between the two.
+TEST(TemplateHalves, ShowSeedsOfACucumberInEitherRow) {
+  const Template fruit = drawn("cucumber");
+  const int as_drawn = seeds_in_half(fruit, {}, true);
+  for (const std::uint64_t seed : {9, 39}) EXPECT_GT(2 * seeds_in_half(fruit, {seed, 0}, false), as_drawn) << seed;
+}
+
 class TemplateVariants : public testing::TestWithParam<const char*> {};
 
 TEST_P(TemplateVariants, AreSoundAndUnlikeEachOther) {
