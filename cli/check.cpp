@@ -27,6 +27,7 @@
 #include "generator/scene/make_parts.h"
 #include "generator/scene/scene_file.h"
 #include "generator/surface/bodies.h"
+#include "generator/surface/crossing_layers.h"
 #include "generator/surface/file/plain_mesh_file.h"
 #include "generator/surface/file/surface_file.h"
 #include "generator/surface/grains/grains.h"
@@ -156,11 +157,13 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
     return {};
   }
   const Template fruit = read_template(file);
+  const DiffusionSurfaces swept = sweep(fruit);
   std::vector<std::string> warnings =
-      body_warnings(fruit.places.empty() ? sweep(fruit) : grow(fruit, {}, {.as_drawn = true}).swept, file);
+      body_warnings(fruit.places.empty() ? swept : grow(fruit, {}, {.as_drawn = true}).swept, file);
   scatter_grains(fruit, {});
   for (const std::string& warning : spot_warnings(fruit)) warnings.push_back(warning);
   for (const std::string& warning : half_wall_warnings(fruit)) warnings.push_back(warning);
+  for (const std::string& warning : crossing_layer_warnings(fruit, swept)) warnings.push_back(warning);
   return warnings;
 }
 
