@@ -73,22 +73,31 @@ class Ground {
   }
 
  private:
+  /// Row by row, so that neighbours are joined at once; each cell joins its square in the order of the cells.
   template <typename Join>
   Ground boxed(int r, const Join& join, double divisor) const {
+    constexpr auto row = static_cast<std::size_t>(cells);
+    const auto near = [](int i) { return static_cast<std::size_t>(std::clamp(i, 0, cells - 1)); };
     Ground across, result;
+    std::vector<double> padded(row + 2 * static_cast<std::size_t>(r));
     for (int i = 0; i < cells; ++i) {
-      for (int j = 0; j < cells; ++j) {
-        double sum = at(i, std::max(0, j - r));
-        for (int k = j - r + 1; k <= j + r; ++k) sum = join(sum, at(i, std::clamp(k, 0, cells - 1)));
-        across.at(i, j) = sum / divisor;
+      for (int j = -r; j < cells + r; ++j) padded[static_cast<std::size_t>(j + r)] = height_[near(i) * row + near(j)];
+      double* const sum = &across.height_[near(i) * row];
+      std::copy_n(padded.begin(), row, sum);
+      for (int k = 1; k <= 2 * r; ++k) {
+        const double* const one = &padded[static_cast<std::size_t>(k)];
+        for (std::size_t j = 0; j < row; ++j) sum[j] = join(sum[j], one[j]);
       }
+      for (std::size_t j = 0; j < row; ++j) sum[j] /= divisor;
     }
     for (int i = 0; i < cells; ++i) {
-      for (int j = 0; j < cells; ++j) {
-        double sum = across.at(std::max(0, i - r), j);
-        for (int k = i - r + 1; k <= i + r; ++k) sum = join(sum, across.at(std::clamp(k, 0, cells - 1), j));
-        result.at(i, j) = sum / divisor;
+      double* const sum = &result.height_[near(i) * row];
+      std::copy_n(&across.height_[near(i - r) * row], row, sum);
+      for (int k = i - r + 1; k <= i + r; ++k) {
+        const double* const one = &across.height_[near(k) * row];
+        for (std::size_t j = 0; j < row; ++j) sum[j] = join(sum[j], one[j]);
       }
+      for (std::size_t j = 0; j < row; ++j) sum[j] /= divisor;
     }
     return result;
   }
@@ -201,15 +210,34 @@ class LeafPile {
     std::vector<double> lower, upper;
   };
 
-  /// The heights of all leaves, with this gap between them, metres; `top` becomes the envelope of the last.
+  /// A pile, with this gap between its leaves, metres.
   /// \param divisor what heights are divided by afterwards, about: gaps are so much higher before
-  std::vector<Faces> piled(double gap, const Ground& divisor, Ground& top) const {
-    std::vector<Faces> all;
+  /// \param take called with each leaf and what it lies on
+  template <typename Take>
+  Ground piled(double gap, const Ground& divisor, const Take& take) const {
+    Ground top;
     for (const LeafChance& leaf : leaves_) {
       const Ground floor = top.envelope(facet_);
-      all.push_back(faces_of(leaf, floor, gap, divisor));
+      take(leaf, floor);
       cover(leaf, floor, gap, divisor, top);
     }
+    return top;
+  }
+
+  /// How high it is with gaps of this size, and a divisor of 1.
+  Ground height(double gap) const {
+    return piled(gap, Ground(1), [](const LeafChance&, const Ground&) {});
+  }
+
+  struct Leaves {
+    std::vector<Faces> faces;
+    Ground top;
+  };
+  Leaves leaves(double gap, const Ground& divisor) const {
+    Leaves all;
+    all.top = piled(gap, divisor, [&](const LeafChance& leaf, const Ground& floor) {
+      all.faces.push_back(faces_of(leaf, floor, gap, divisor));
+    });
     return all;
   }
 
@@ -294,16 +322,18 @@ class LeafPile {
   /// Raises what the leaf lies over, and a cell more to every side.
   void cover(const LeafChance& leaf, const Ground& floor, double gap, const Ground& divisor, Ground& top) const {
     constexpr double margin = 1.03;
+    const double farthest = 1.015 * (std::max(leaf.tip, 0.0) + std::fabs(leaf.skew));  // no tip lies beyond it
     Ground raised;
     for (int i = 0; i < cells; ++i) {
       for (int j = 0; j < cells; ++j) {
         const glm::dvec2 ground{cell_place(i), cell_place(j)};
         const double x = ground.x * leaf.turn.x + ground.y * leaf.turn.y, y = 1 - x;
+        if (y < -0.04 || y > farthest) continue;
         const double half = half_width(leaf, y);
         if (!(half > 0)) continue;
         const double wide = (ground.y * leaf.turn.x - ground.x * leaf.turn.y) / half;
         const double across = std::clamp(wide, -1.0, 1.0), tip = tip_at(leaf, across);
-        if (std::fabs(wide) > margin || y < -0.04 || y > 1.015 * tip) continue;
+        if (std::fabs(wide) > margin || y > 1.015 * tip) continue;
         const double place = std::clamp(y, 0.0, tip);
         raised.at(i, j) = floor.at(i, j) + (gap_at(gap, place) * std::max(1.0, divisor.at(i, j)) +
                                             lift(leaf, across, place) + thick(leaf, across, place)) /
@@ -361,8 +391,7 @@ namespace {
 
 /// What room is left between the two curves, is shared by the gaps: the height of the pile is nearly linear in them.
 double shared_gap(const Template& fruit, const SheetSketch& sketch, const LeafPile& pile, const Ground& least) {
-  Ground wider;
-  pile.piled(3 * sketch.gap, Ground(1), wider);
+  const Ground wider = pile.height(3 * sketch.gap);
   const double low = usual_height(least), slope = (usual_height(wider) - low) / (2 * sketch.gap);
   if (low > 4)
     refuse_entry(fruit, "sheets", sketch.name, "so many leaves have no room",
@@ -374,17 +403,18 @@ double shared_gap(const Template& fruit, const SheetSketch& sketch, const LeafPi
 
 SheetShell leaf_shell(const Template& fruit, const SheetSketch& sketch, const SweepOptions& options) {
   const LeafPile pile(sketch, options);
-  Ground top, divisor(1);
+  Ground divisor(1);
   double gap = sketch.gap;
   if (sketch.kind == SheetSketch::Kind::head) {
-    Ground least;
-    pile.piled(sketch.gap, Ground(1), least);
+    const Ground least = pile.height(sketch.gap);
     gap = shared_gap(fruit, sketch, pile, least);
     divisor = divisor_of(least);
   }
-  const std::vector<LeafPile::Faces> faces = pile.piled(gap, divisor, top);
-  if (sketch.kind == SheetSketch::Kind::head) divisor = divisor_of(top);
-  return [pile, faces, divisor](int leaf) { return pile.shell(faces[static_cast<std::size_t>(leaf)], divisor, leaf); };
+  const LeafPile::Leaves leaves = pile.leaves(gap, divisor);
+  if (sketch.kind == SheetSketch::Kind::head) divisor = divisor_of(leaves.top);
+  return [pile, faces = leaves.faces, divisor](int leaf) {
+    return pile.shell(faces[static_cast<std::size_t>(leaf)], divisor, leaf);
+  };
 }
 
 }  // namespace pomona
