@@ -40,7 +40,7 @@ Scene gathered(std::vector<Solid> solids);
 /// The nearest view that shows all of the scene, with a small margin: the scene touches the margin left and right, or
 /// above and below. The perspective is taken into account exactly. \param direction from the target to the eye, any
 /// length. \param aspect the picture's width over its height. \param light towards the light: then shadows on the
-/// ground are in the view, too.
+/// ground, and where it loses sky, are in the view, too.
 View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect = 1.0,
                  const std::optional<glm::dvec3>& light = {});
 

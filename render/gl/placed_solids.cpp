@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/scene/placed_boxes.h"
 #include "render/gl/scene_camera.h"
 
 namespace pomona {

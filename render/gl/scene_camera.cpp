@@ -2,43 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "generator/mesh/box.h"
+#include "generator/scene/placed_boxes.h"
 
 namespace pomona {
-
-glm::mat4 matrix_of(const Pose& pose) {
-  glm::dmat4 matrix = glm::mat4_cast(pose.rotation);
-  matrix[3] = glm::dvec4(pose.translation, 1);
-  return glm::mat4(matrix);
-}
-
-namespace {
-
-/// The placed bounding boxes of all instances with vertices.
-std::vector<Box<float>> placed_boxes(const Scene& scene) {
-  std::vector<Box<float>> own;
-  for (const Solid& solid : scene.solids) own.push_back(box_around(solid.mesh.position));
-  std::vector<Box<float>> placed;
-  for (const Instance& instance : scene.instances) {
-    const auto& [a, b] = own[instance.solid];
-    if (a.x > b.x) continue;
-    const glm::mat4 place = matrix_of(instance.pose);
-    Box<float>& box = placed.emplace_back();
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::vec4 at((corner & 1) != 0 ? b.x : a.x, (corner & 2) != 0 ? b.y : a.y, (corner & 4) != 0 ? b.z : a.z,
-                         1);
-      box.add(glm::vec3(place * at));
-    }
-  }
-  return placed;
-}
-
-}  // namespace
 
 SceneBall ball_around(const Scene& scene) {
   Box<float> all;
@@ -48,16 +19,10 @@ SceneBall ball_around(const Scene& scene) {
 }
 
 TableShade table_shade_of(const Scene& scene, const SceneBall& ball) {
-  const std::vector<Box<float>> boxes = placed_boxes(scene);
-  if (!scene.ground || boxes.empty()) return {};
-  // Thin parts, such as a cherry's stem, must not make the reach larger.
-  float size = 0;
-  for (const Box<float>& box : boxes)
-    size += std::min(box.size().y, std::max(box.size().x, box.size().z)) / static_cast<float>(boxes.size());
-
-  // The map's depth runs from a little under the table up to its reach.
   TableShade shade;
-  shade.reach = std::clamp(0.6f * size, 0.01f * ball.radius, ball.radius);
+  if (scene.ground) shade.reach = sky_reach(scene);
+  if (shade.reach == 0) return shade;
+  // The map's depth runs from a little under the table up to its reach.
   shade.side = 2.04f * ball.radius;
   const float half = 0.5f * shade.side, under = 0.02f * shade.reach;
   const glm::vec3 eye(ball.center.x, -under, ball.center.z);

@@ -36,13 +36,10 @@ SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const Ligh
 /// The occlusion of the table by the pieces on it, from a view from below.
 struct TableShade {
   glm::mat4 to_clip{1};  ///< scene to clip space; depth is height over the table, up to the reach
-  float reach = 0;       ///< metres: six tenths of the pieces' mean height, or width if that is less; 0 without a table
+  float reach = 0;       ///< metres, sky_reach(); 0 without a table
   float side = 1;        ///< side of the map, metres
 };
 
 TableShade table_shade_of(const Scene& scene, const SceneBall& ball);
-
-/// A pose as a matrix.
-glm::mat4 matrix_of(const Pose& pose);
 
 }  // namespace pomona

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "generator/mesh/box.h"
+#include "generator/scene/placed_boxes.h"
 
 namespace pomona {
 
