@@ -237,6 +237,15 @@ TEST(TemplateLayers, AreNamedWhereTheyCross) {
   EXPECT_THAT(warnings_of(0.1), testing::IsEmpty()) << "a strand";
 }
 
+/// The cream went through the rim, and halves had up to 40 specks of it in their chocolate.
+TEST(TemplateLayers, OfASwissRollLieWithinItsCoat) {
+  const Template fruit = drawn("swiss_roll");
+  EXPECT_THAT(crossing_kinds(sweep(fruit)), testing::IsEmpty());
+  const Variation variation(fruit);
+  for (const std::uint64_t seed : {104, 137})
+    EXPECT_THAT(crossing_kinds(sweep(variation.draw({seed, 0}, {}).fruit)), testing::IsEmpty()) << seed;
+}
+
 /// Cores went as far as chambers begin: a white line within the pulp of citrus fruit, a zipper in star fruits.
 TEST(TemplateLayers, CoresEndBeforeChambers) {
   for (const auto& [name, chamber] : {std::pair{"orange", "carpel"}, std::pair{"lime", "carpel"},
