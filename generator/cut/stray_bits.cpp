@@ -1,9 +1,12 @@
 #include "generator/cut/stray_bits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include <glm/geometric.hpp>
@@ -16,6 +19,12 @@
 namespace pomona {
 
 namespace {
+
+std::vector<std::uint32_t> own_homes(std::size_t count) {
+  std::vector<std::uint32_t> home(count);
+  std::iota(home.begin(), home.end(), 0u);
+  return home;
+}
 
 bool is_empty(const CutPiece& piece) { return piece.triangle.empty() && piece.caps.empty(); }
 
@@ -113,6 +122,79 @@ std::vector<NearPieces> near_held(const std::vector<CutPiece>& pieces, const std
   return near;
 }
 
+/// Sets of pieces with corners in one cell of a grid whose cells are narrower than the reach: those are within reach.
+/// Most leaves of a head are found so, without looking for their distance.
+DisjointSets joined_by_corners(const std::vector<CutPiece>& pieces, const std::vector<std::uint32_t>& here,
+                               const CrossSection& section, double reach) {
+  const double width = 0.5 * reach;  // across its corners a cell measures 0.87 of the reach
+  DisjointSets sets(here.size());
+  using GridCell = std::array<double, 3>;
+  std::map<GridCell, std::uint32_t> first;  // with a corner there
+  for (std::uint32_t i = 0; i < here.size(); ++i) {
+    std::optional<GridCell> last;  // the next corner lies in the same one in most cases
+    const auto see = [&](const glm::vec3& p) {
+      const glm::dvec3 at = glm::floor(glm::dvec3(p) / width);
+      const GridCell cell{at.x, at.y, at.z};
+      if (last == cell) return;
+      last = cell;
+      sets.join(first.try_emplace(cell, i).first->second, i);
+    };
+    const CutPiece& piece = pieces[here[i]];
+    for (const glm::uvec3& t : piece.triangle)
+      for (int k = 0; k < 3; ++k) see(piece.position[t[k]]);
+    for (const CutPiece::CapTriangle& cap : piece.caps)
+      for (int k = 0; k < 3; ++k) see(section.position[section.triangle[cap.triangle][k]]);
+  }
+  return sets;
+}
+
+/// Sets of pieces that lie against each other, directly or by others.
+DisjointSets joined_within(const std::vector<CutPiece>& pieces, const std::vector<std::uint32_t>& here,
+                           const CrossSection& section, double reach) {
+  DisjointSets sets = joined_by_corners(pieces, here, section, reach);
+  std::vector<std::optional<TriangleTree>> trees(here.size());
+  const auto tree = [&](std::uint32_t i) -> const TriangleTree& {
+    if (!trees[i]) trees[i] = tree_of(pieces[here[i]], section);
+    return *trees[i];
+  };
+  for (std::uint32_t a = 0; a < here.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < here.size(); ++b) {
+      if (sets.root(a) == sets.root(b)) continue;
+      if (std::isfinite(closest(tree(a), tree(b), glm::dvec3(0), reach).distance)) sets.join(a, b);
+    }
+  }
+  return sets;
+}
+
+/// Per piece of one cell, the home: several pieces that are not held take the held ones nearest to them.
+std::vector<std::uint32_t> nearest_homes(const std::vector<CutPiece>& pieces, const std::vector<std::uint32_t>& here,
+                                         const CrossSection& section, const std::vector<std::uint8_t>& held,
+                                         double reach) {
+  DisjointSets sets(here.size());
+  std::vector<std::uint32_t> home_of_set = own_homes(here.size());  // the largest, or the one that is not held
+  for (const NearPieces& pair : near_held(pieces, here, section, held, reach)) {
+    const std::uint32_t a = home_of_set[sets.root(pair.a)], b = home_of_set[sets.root(pair.b)];
+    if (a == b || (held[a] == 0 && held[b] == 0)) continue;
+    sets.join(a, b);
+    home_of_set[sets.root(a)] = held[a] != held[b] ? (held[a] == 0 ? a : b) : std::min(a, b);
+  }
+  std::vector<std::uint32_t> home(here.size());
+  for (std::uint32_t i = 0; i < here.size(); ++i) home[i] = home_of_set[sets.root(i)];
+  return home;
+}
+
+/// The same where at most one piece is not held: it takes all that hangs together with it, whatever is nearest.
+std::vector<std::uint32_t> joint_homes(DisjointSets sets, const std::vector<std::uint8_t>& held) {
+  std::vector<std::uint32_t> home(held.size());
+  for (std::uint32_t i = 0; i < home.size(); ++i) home[i] = sets.root(i);
+  const auto loose = std::find(held.begin(), held.end(), 0);
+  if (loose == held.end()) return home;
+  const auto taker = static_cast<std::uint32_t>(loose - held.begin());
+  const std::uint32_t of_taker = home[taker];
+  std::replace(home.begin(), home.end(), of_taker, taker);
+  return home;
+}
+
 /// Works on the pieces of one cell, the largest first.
 void hold_together(const std::vector<CutPiece>& pieces, const std::vector<std::uint32_t>& here,
                    const CrossSection& section, std::span<const int> held_parts, double reach,
@@ -120,16 +202,10 @@ void hold_together(const std::vector<CutPiece>& pieces, const std::vector<std::u
   std::vector<std::uint8_t> held;
   for (const std::uint32_t piece : here) held.push_back(is_held(pieces[piece], held_parts) ? 1 : 0);
   if (std::find(held.begin(), held.end(), 1) == held.end()) return;
-  DisjointSets sets(here.size());
-  std::vector<std::uint32_t> home_of_set(here.size());  // the largest, or the one that is not held
-  std::iota(home_of_set.begin(), home_of_set.end(), 0u);
-  for (const NearPieces& pair : near_held(pieces, here, section, held, reach)) {
-    const std::uint32_t a = home_of_set[sets.root(pair.a)], b = home_of_set[sets.root(pair.b)];
-    if (a == b || (held[a] == 0 && held[b] == 0)) continue;
-    sets.join(a, b);
-    home_of_set[sets.root(a)] = held[a] != held[b] ? (held[a] == 0 ? a : b) : std::min(a, b);
-  }
-  for (std::uint32_t i = 0; i < here.size(); ++i) home[here[i]] = here[home_of_set[sets.root(i)]];
+  const std::vector<std::uint32_t> found = std::count(held.begin(), held.end(), 0) > 1
+                                               ? nearest_homes(pieces, here, section, held, reach)
+                                               : joint_homes(joined_within(pieces, here, section, reach), held);
+  for (std::uint32_t i = 0; i < here.size(); ++i) home[here[i]] = here[found[i]];
 }
 
 /// The pieces that are not empty, cell by cell, the largest first.
@@ -153,12 +229,6 @@ double volume_of_all(const std::vector<CutPiece>& pieces) {
   double whole = 0;
   for (const CutPiece& piece : pieces) whole += piece.volume;
   return whole;
-}
-
-std::vector<std::uint32_t> own_homes(std::size_t count) {
-  std::vector<std::uint32_t> home(count);
-  std::iota(home.begin(), home.end(), 0u);
-  return home;
 }
 
 }  // namespace

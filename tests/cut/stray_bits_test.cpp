@@ -2,13 +2,16 @@
 #include "generator/cut/stray_bits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "generator/base/random.h"
 #include "generator/cut/cut.h"
 #include "generator/knife/parse_knife.h"
+#include "generator/mesh/disjoint_sets.h"
 #include "tests/cut/cut_checks.h"
 #include "tests/shapes/shapes.h"
 
@@ -109,6 +112,43 @@ TEST(HeldParts, NeverJoinTwoPiecesThatAreNot) {
   const DiffusionSurfaces fruit = joined(joined(box_at(-0.0425), box_at(0.0025)),
                                          shapes::box({-0.0015, -0.03, 0.005}, {0.0015, 0.03, 0.045}, 8, leaf));
   EXPECT_EQ(pieces_with_held(fruit), 2u);
+}
+
+/// Sets of cubes of which one lies within reach of another, by the distance of their boxes.
+std::size_t sets_within(const std::vector<glm::dvec3>& low, double cube, double reach) {
+  DisjointSets sets(low.size());
+  for (std::uint32_t a = 0; a < low.size(); ++a) {
+    for (std::uint32_t b = 0; b < a; ++b) {
+      const glm::dvec3 gap = glm::max(glm::abs(low[a] - low[b]) - cube, glm::dvec3(0));
+      if (glm::length(gap) < reach) sets.join(a, b);
+    }
+  }
+  std::size_t count = 0;
+  for (std::uint32_t a = 0; a < low.size(); ++a) count += sets.root(a) == a ? 1 : 0;
+  return count;
+}
+
+TEST(HeldParts, AreOnePieceWithAllWithinReach) {
+  // Cubes at a third of the places of a grid whose steps are a little longer or shorter than the reach, and askew.
+  shapes::Paint leaf = shapes::skin_paint();
+  leaf.name = "leaf";
+  leaf.front_part = leaf.back_part = "leaf";
+  constexpr double cube = 0.01;
+  for (const double gap : {0.7, 0.95, 1.02}) {
+    const RandomStream random({}, "tests/held cubes");
+    const double reach = 0.08 * cube * std::cbrt(60.0), step = cube + gap * reach;
+    std::vector<glm::dvec3> low;
+    for (std::uint64_t n = 0; low.size() < 60; ++n) {
+      if (random.below(n, 3) != 0) continue;
+      const auto k = static_cast<double>(n);
+      low.emplace_back(step * std::fmod(k, 6) + 1e-5 * k, step * std::fmod(std::floor(k / 6), 6),
+                       step * std::floor(k / 36));
+    }
+    DiffusionSurfaces all = shapes::box(low[0], low[0] + cube, 1, leaf);
+    for (std::size_t i = 1; i < low.size(); ++i) all = joined(all, shapes::box(low[i], low[i] + cube, 1, leaf));
+    const std::size_t expected = sets_within(low, cube, reach);
+    EXPECT_EQ(pieces_with_held(all, "plane:0,1,0,1m"), expected);
+  }
 }
 
 }  // namespace
