@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/mesh/overlapping_boxes.h"
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
@@ -105,7 +105,11 @@ std::optional<Intersection> intersection_of(const Corners& fruit, const RoundedP
 
 std::vector<Intersection> intersections(std::span<const Corners> fruit, std::span<const Corners> knife,
                                         Threads threads) {
-  const std::vector<BoxPair> near = overlapping_boxes(boxes_of(fruit), boxes_of(knife), threads);
+  return intersections(fruit, knife, overlapping_boxes(boxes_of(fruit), boxes_of(knife), threads), threads);
+}
+
+std::vector<Intersection> intersections(std::span<const Corners> fruit, std::span<const Corners> knife,
+                                        std::span<const BoxPair> near, Threads threads) {
   const std::vector<RoundedPlane> fruit_plane = planes_of(fruit), knife_plane = planes_of(knife);
   constexpr std::size_t pairs_a_share = 4096;
   std::vector<std::vector<Intersection>> found(1 + near.size() / pairs_a_share);

@@ -7,6 +7,7 @@
 
 #include "generator/base/parallel.h"
 #include "generator/cut/carve/tie_rule.h"
+#include "generator/mesh/overlapping_boxes.h"
 
 namespace pomona {
 
@@ -27,5 +28,9 @@ struct Intersection {
 /// a segment or not at all, and the crossing of an edge is the same for all triangles at the edge.
 std::vector<Intersection> intersections(std::span<const Corners> fruit, std::span<const Corners> knife,
                                         Threads threads = {1});
+
+/// The same among the pairs of a fruit's and a knife's triangle that may intersect.
+std::vector<Intersection> intersections(std::span<const Corners> fruit, std::span<const Corners> knife,
+                                        std::span<const BoxPair> near, Threads threads);
 
 }  // namespace pomona

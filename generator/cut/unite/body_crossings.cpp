@@ -21,13 +21,38 @@ struct CrossingUse {
   auto key() const { return std::tuple(!of_first, low, high, facet); }
 };
 
+/// The facets of one set that are near any of the other.
+class NearFacets {
+ public:
+  explicit NearFacets(std::size_t facets) : place_(facets, unset) {}
+
+  void add(std::uint32_t facet) { place_[facet] = 0; }
+
+  /// Numbers those that were added, in the order of the facets.
+  void number() {
+    for (std::uint32_t f = 0; f < place_.size(); ++f) {
+      if (place_[f] == unset) continue;
+      place_[f] = static_cast<std::uint32_t>(facet_.size());
+      facet_.push_back(f);
+    }
+  }
+
+  std::uint32_t place(std::uint32_t facet) const { return place_[facet]; }
+  std::uint32_t facet(std::uint32_t place) const { return facet_[place]; }
+  const std::vector<std::uint32_t>& all() const { return facet_; }
+
+ private:
+  static constexpr std::uint32_t unset = 0xffffffffu;
+  std::vector<std::uint32_t> place_, facet_;
+};
+
 class CrossingFinder {
  public:
   CrossingFinder(std::span<const BodyFacet> first, std::span<const BodyFacet> second, std::vector<glm::dvec3>& place)
       : first_(first), second_(second), place_(place) {}
 
-  BodyCrossings run(Threads threads) {
-    find_segments(threads);
+  BodyCrossings run(std::span<const BoxPair> near, Threads threads) {
+    find_segments(near, threads);
     find_crossings();
     BodyCrossings result;
     std::vector<std::uint32_t> order(segment_.size());
@@ -46,12 +71,23 @@ class CrossingFinder {
     return {place_[facet.corner[0]], place_[facet.corner[1]], place_[facet.corner[2]]};
   }
 
-  void find_segments(Threads threads) {
-    std::vector<Corners> first, second;
-    first.reserve(first_.size()), second.reserve(second_.size());
-    for (const BodyFacet& f : first_) first.push_back(corners(f));
-    for (const BodyFacet& f : second_) second.push_back(corners(f));
-    segment_ = intersections(first, second, threads);
+  /// Of the facets that are near others: most are not.
+  void find_segments(std::span<const BoxPair> near, Threads threads) {
+    NearFacets first(first_.size()), second(second_.size());
+    for (const auto& [f, s] : near) first.add(f), second.add(s);
+    first.number(), second.number();
+    std::vector<BoxPair> pairs;
+    pairs.reserve(near.size());
+    for (const auto& [f, s] : near) pairs.emplace_back(first.place(f), second.place(s));
+    segment_ = intersections(corners_of(first_, first.all()), corners_of(second_, second.all()), pairs, threads);
+    for (Intersection& s : segment_) s.fruit = first.facet(s.fruit), s.knife = second.facet(s.knife);
+  }
+
+  std::vector<Corners> corners_of(std::span<const BodyFacet> facets, const std::vector<std::uint32_t>& some) const {
+    std::vector<Corners> all;
+    all.reserve(some.size());
+    for (const std::uint32_t f : some) all.push_back(corners(facets[f]));
+    return all;
   }
 
   const BodyFacet& edge_owner(const Intersection& s, const Crossing& at) const {
@@ -177,9 +213,9 @@ class CrossingFinder {
 }  // namespace
 
 BodyCrossings body_crossings(std::span<const BodyFacet> first, std::span<const BodyFacet> second,
-                             std::vector<glm::dvec3>& place, Threads threads) {
-  if (first.empty() || second.empty()) return {};
-  return CrossingFinder(first, second, place).run(threads);
+                             std::span<const BoxPair> near, std::vector<glm::dvec3>& place, Threads threads) {
+  if (near.empty()) return {};
+  return CrossingFinder(first, second, place).run(near, threads);
 }
 
 }  // namespace pomona

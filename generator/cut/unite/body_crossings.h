@@ -7,6 +7,7 @@
 
 #include "generator/base/parallel.h"
 #include "generator/cut/unite/facet_parts.h"
+#include "generator/mesh/overlapping_boxes.h"
 
 namespace pomona {
 
@@ -39,8 +40,8 @@ struct BodyCrossings {
 };
 
 /// The crossings by the tie rule (carve/tie_rule.h), for which the second set is the knife: so nothing only touches.
-/// Adds the new points to `place`.
+/// Adds the new points to `place`. \param near all pairs of a first and a second facet whose boxes meet.
 BodyCrossings body_crossings(std::span<const BodyFacet> first, std::span<const BodyFacet> second,
-                             std::vector<glm::dvec3>& place, Threads threads);
+                             std::span<const BoxPair> near, std::vector<glm::dvec3>& place, Threads threads);
 
 }  // namespace pomona

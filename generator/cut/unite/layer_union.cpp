@@ -26,7 +26,7 @@ class LayerUniter {
     while (true) {
       take_second();
       const std::size_t before = refused_.size();
-      const BodyCrossings crossings = body_crossings(task_.first, second_, place_, threads_);
+      const BodyCrossings crossings = body_crossings(task_.first, second_, near_, place_, threads_);
       LayerUnion all{parts_of_side(task_.first, crossings.first, true),
                      parts_of_side(second_, crossings.second, false)};
       refuse_slight(all);
@@ -44,6 +44,17 @@ class LayerUniter {
       second_.push_back(task_.second[f]);
       number_.push_back(f);
     }
+    take_near();
+  }
+
+  /// Takes the pairs with them, by their numbers here.
+  void take_near() {
+    constexpr std::uint32_t refused = 0xffffffffu;
+    std::vector<std::uint32_t> here(task_.second.size(), refused);
+    for (std::uint32_t f = 0; f < number_.size(); ++f) here[number_[f]] = f;
+    near_.clear();
+    for (const auto& [first, second] : task_.near)
+      if (here[second] != refused) near_.emplace_back(first, here[second]);
   }
 
   UnitedFacets parts_of_side(std::span<const BodyFacet> facets, const CrossedSet& set, bool is_first) {
@@ -150,6 +161,7 @@ class LayerUniter {
   std::set<std::int32_t> refused_;     // bodies of the second set
   std::vector<BodyFacet> second_;      // that are not refused
   std::vector<std::uint32_t> number_;  // theirs in the task
+  std::vector<BoxPair> near_;          // with them
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ struct LayerUnion {
 
 struct LayerTask {
   std::span<const BodyFacet> first, second;
+  std::span<const BoxPair> near;  ///< all pairs of a first and a second facet whose boxes meet
 
   /// The body of the other set in which an uncrossed facet lies, or outside.
   std::function<std::int32_t(bool of_first, std::uint32_t facet)> body_around;

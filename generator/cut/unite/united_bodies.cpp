@@ -10,6 +10,7 @@
 
 #include "generator/cut/carve/facet_normals.h"
 #include "generator/cut/carve/tie_rule.h"
+#include "generator/cut/unite/earlier_boxes.h"
 #include "generator/cut/unite/layer_union.h"
 #include "generator/mesh/disjoint_sets.h"
 #include "generator/mesh/enclosures.h"
@@ -136,6 +137,8 @@ class BodyWindings {
 /// Unites layer after layer. The boxes of a layer's bodies lie apart, so that each body meets only bodies of earlier
 /// layers, which no longer overlap.
 class BodyUniter {
+  static constexpr std::uint32_t unset = 0xffffffffu;
+
  public:
   BodyUniter(const BodyWalls& bodies, const Bodies& known, std::vector<glm::dvec3> place, const UniteOptions& options)
       : bodies_(bodies),
@@ -148,6 +151,7 @@ class BodyUniter {
     find_near();
     find_layers(false);
     find_layers(true);
+    find_earlier();
     for (layer_ = 1; layer_ < layers_; ++layer_) unite_layer();
   }
 
@@ -171,8 +175,7 @@ class BodyUniter {
       const std::size_t body = index(wall_[begin].facet.body);
       Box<double> around;
       for (end = begin; end < wall_.size() && end < begin + row && index(wall_[end].facet.body) == body; ++end) {
-        const WallCorners& c = wall_[end].facet.corner;
-        box[end - begin] = box_around(place_[c[0]], place_[c[1]], place_[c[2]]);
+        box[end - begin] = box_of(end);
         around.add(box[end - begin]);
       }
       near_row.clear();
@@ -191,7 +194,7 @@ class BodyUniter {
 
   /// The bodies near a wall, or near the wall of which it is a part.
   std::span<const std::int32_t> near(std::uint32_t wall) const {
-    const std::uint32_t whole = wall < first_part_ ? wall : part_of_[wall - first_part_];
+    const std::uint32_t whole = whole_of(wall);
     return std::span(near_).subspan(near_begin_[whole], near_begin_[whole + 1] - near_begin_[whole]);
   }
 
@@ -240,6 +243,51 @@ class BodyUniter {
     return walls;
   }
 
+  /// Finds, for each whole wall, those of earlier layers whose boxes meet: once for all layers, for what crosses a part
+  /// of a wall is near the wall. Boxes are a little larger, because the corners of parts are rounded.
+  void find_earlier() {
+    Box<double> all;
+    for (const glm::dvec3& p : place_) all.add(p);
+    const auto margin = static_cast<float>(1e-9 * glm::length(all.size()));
+    std::vector<Box<float>> box(first_part_);
+    std::vector<int> layer(first_part_, EarlierBoxes::no_layer);
+    for (std::uint32_t w = 0; w < first_part_; ++w) {
+      if (near(w).empty()) continue;
+      const Box<double> own = box_of(w);
+      box[w] = {glm::vec3(own.low) - margin, glm::vec3(own.high) + margin};
+      layer[w] = layer_of_[index(wall_[w].facet.body)];
+    }
+    earlier_.emplace(box, layer);
+    newest_.assign(first_part_, unset);
+  }
+
+  Box<double> box_of(std::uint32_t wall) const {
+    const WallCorners& c = wall_[wall].facet.corner;
+    return box_around(place_[c[0]], place_[c[1]], place_[c[2]]);
+  }
+
+  std::uint32_t whole_of(std::uint32_t wall) const { return wall < first_part_ ? wall : part_of_[wall - first_part_]; }
+
+  /// The pairs of a first and a second wall, by their places in the lists, whose boxes meet. The second ones are whole.
+  std::vector<BoxPair> near_pairs(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
+    // Parts of one wall form a chain.
+    std::vector<std::uint32_t> before(first.size());
+    for (std::uint32_t i = 0; i < first.size(); ++i) before[i] = std::exchange(newest_[whole_of(first[i])], i);
+    std::vector<Box<double>> box(first.size());  // found where it is asked for
+    std::vector<BoxPair> pairs;
+    for (std::uint32_t k = 0; k < second.size(); ++k) {
+      const Box<double> own = box_of(second[k]);
+      for (const std::uint32_t whole : earlier_->of(second[k])) {
+        for (std::uint32_t i = newest_[whole]; i != unset; i = before[i]) {
+          if (box[i].low.x > box[i].high.x) box[i] = box_of(first[i]);
+          if (box[i].meets(own)) pairs.emplace_back(i, k);
+        }
+      }
+    }
+    for (const std::uint32_t wall : first) newest_[whole_of(wall)] = unset;
+    return pairs;
+  }
+
   std::vector<BodyFacet> facets(const std::vector<std::uint32_t>& walls) const {
     std::vector<BodyFacet> all;
     for (const std::uint32_t w : walls) all.push_back(wall_[w].facet);
@@ -250,7 +298,8 @@ class BodyUniter {
     const std::vector<std::uint32_t> first = concerned(true), second = concerned(false);
     if (first.empty() && second.empty()) return;
     const std::vector<BodyFacet> first_facets = facets(first), second_facets = facets(second);
-    LayerTask task{first_facets, second_facets, {}, {}};
+    const std::vector<BoxPair> pairs = near_pairs(first, second);
+    LayerTask task{first_facets, second_facets, pairs, {}, {}};
     task.body_around = [&](bool of_first, std::uint32_t facet) {
       const std::uint32_t wall = of_first ? first[facet] : second[facet];
       const glm::dvec3& point = place_[wall_[wall].facet.corner[0]];
@@ -278,7 +327,7 @@ class BodyUniter {
         Wall one{{part.corner, wall_[w].facet.body}, wall_[w].source, false};
         place_inside(one, part.inside);
         near_wall_[index(one.facet.body)].push_back(static_cast<std::uint32_t>(wall_.size()));
-        part_of_.push_back(w < first_part_ ? w : part_of_[w - first_part_]);
+        part_of_.push_back(whole_of(w));
         wall_.push_back(one);
       }
     }
@@ -307,8 +356,10 @@ class BodyUniter {
   std::vector<std::uint32_t> near_begin_;              // per whole wall: its first
   std::vector<std::vector<std::uint32_t>> near_wall_;  // per body
   std::uint32_t first_part_ = 0;
-  std::vector<std::uint32_t> part_of_;  // per part: the whole wall
-  std::vector<int> layer_of_;           // per body
+  std::vector<std::uint32_t> part_of_;   // per part: the whole wall
+  std::vector<int> layer_of_;            // per body
+  std::optional<EarlierBoxes> earlier_;  // per whole wall
+  std::vector<std::uint32_t> newest_;    // per whole wall: the last of its parts in a list, or none
   int layers_ = 0, layer_ = 0;
   bool changed_ = false;
 };

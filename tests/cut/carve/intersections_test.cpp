@@ -69,6 +69,20 @@ TEST(Intersections, AreThoseOfAKnifeThatHasMoved) {
   EXPECT_GT(found.size(), 300u);
 }
 
+TEST(Intersections, AreTheSameAmongAllPairs) {
+  const std::vector<Corners> fruit = whole_triangles(0), knife = whole_triangles(100'000);
+  std::vector<BoxPair> pairs;
+  for (std::uint32_t k = 0; k < knife.size(); ++k)
+    for (std::uint32_t f = 0; f < fruit.size(); ++f) pairs.emplace_back(f, k);
+  const std::vector<Intersection> all = intersections(fruit, knife), found = intersections(fruit, knife, pairs, {1});
+  ASSERT_EQ(found.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(std::tie(found[i].fruit, found[i].knife), std::tie(all[i].fruit, all[i].knife));
+    EXPECT_EQ(found[i].from.edge, all[i].from.edge);
+    EXPECT_EQ(found[i].to.of_fruit, all[i].to.of_fruit);
+  }
+}
+
 TEST(Intersections, RunWithTheFrontOfTheFruitOnTheirLeft) {
   // In the planes of x and z, and of x and y; seen from outside the knife, from +y, the fruit's front is at -z.
   const std::vector<Corners> fruit = {{{{0, -1, 0}, {0, 1, 0}, {4, 0, 0}}}};
