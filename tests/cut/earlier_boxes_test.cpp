@@ -18,7 +18,7 @@ TEST(EarlierBoxes, AreAllOfEarlierLayersThatMeet) {
     glm::vec3 low(0), size(0);
     for (int axis = 0; axis < 3; ++axis) {
       const auto draw = 7 * n + static_cast<std::uint64_t>(axis);
-      low[axis] = static_cast<float>(random.below(draw, 20));
+      low[axis] = static_cast<float>(random.below(draw, 14));
       size[axis] = static_cast<float>(random.below(draw + 3, 4));
     }
     box.push_back({low, low + size});
