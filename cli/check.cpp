@@ -17,6 +17,7 @@
 #include "cli/options/find_template.h"
 #include "cli/options/program_folders.h"
 #include "cli/sketch/picture_file.h"
+#include "generator/base/beside.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/json_text.h"
 #include "generator/base/printable.h"
@@ -103,10 +104,10 @@ std::optional<std::vector<std::string>> check_part(const std::filesystem::path& 
 }
 
 /// Checks the style that a scene names, if any.
-void check_style(const SceneDescription& scene, const std::filesystem::path& folder) {
+void check_style(const SceneDescription& scene) {
   if (scene.style.empty()) return;
   try {
-    find_style(scene.style.ends_with(".toml") ? (folder / scene.style).string() : scene.style);
+    find_style(style_beside(scene.file, scene.style));
   } catch (const Error& error) {
     if (error.status() != ExitStatus::input_missing) throw;
     const Diagnostic& what = error.diagnostics().front();
@@ -142,7 +143,7 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
   }
   if (is_scene_file(file)) {
     const SceneDescription scene = read_scene(file);
-    check_style(scene, file.parent_path());
+    check_style(scene);
     ComposeOptions options;
     options.find_template = find_template;
     return check_sources(scene, options);

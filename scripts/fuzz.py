@@ -46,6 +46,7 @@ READERS = {
     "obj": (["scenes/dishes/*.obj"], "obj"),
     "glb": ([], "glb"),
     "png": ([], None),
+    "hdr": ([], None),
 }
 
 SHORT, MIDDLE, LONGEST = 1 << 10, 1 << 11, 1 << 15  # bytes of an input

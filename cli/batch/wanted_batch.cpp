@@ -9,6 +9,7 @@
 #include "cli/options/file_kind.h"
 #include "cli/options/find_style.h"
 #include "cli/options/find_template.h"
+#include "generator/base/beside.h"
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
 #include "generator/base/version.h"
@@ -45,14 +46,15 @@ Order largest_order(const BatchEntry& entry) {
 
 BatchPlan wanted_batch(const std::filesystem::path& file) {
   check_kind(file, FileKind::batch);
-  return planned(read_batch(file), {.find = find_template, .all = all_templates});
+  return planned(read_batch(file), {.asking = file, .find = find_template, .all = all_templates});
 }
 
 std::vector<EntryStyles> styles_of(const BatchPlan& plan) {
   std::vector<EntryStyles> styles;
   for (const PlannedEntry& entry : plan.entries) {
     const ColorOrder& color = entry.wanted.assets.order.color;
-    styles.push_back({find_style(drawn_style(color)), find_style(baked_style(color))});
+    const auto found = [&](const std::string& style) { return find_style(style_beside(plan.batch.file, style)); };
+    styles.push_back({found(drawn_style(color)), found(baked_style(color))});
   }
   return styles;
 }

@@ -12,8 +12,10 @@
 #include "cli/data/wanted_data.h"
 #include "cli/options/option_checks.h"
 #include "cli/options/program_folders.h"
+#include "generator/base/beside.h"
 #include "generator/base/error.h"
 #include "generator/base/shell_words.h"
+#include "generator/piece/piece_origin.h"
 
 namespace pomona {
 
@@ -35,11 +37,16 @@ std::optional<Shard> share_of(const DataCommand& command, const DataPlan& plan) 
   return Shard{*command.picture + 1, plan.data.count};
 }
 
-/// The set's words in commands that make its pictures again.
-std::string words_of(const DataCommand& command) {
-  std::string words = shell_word(std::filesystem::path(command.file).filename().string());
-  for (const std::string& path : command.behind.pictures) words += " --background " + shell_word(path);
-  for (const std::string& path : command.behind.environments) words += " --environment " + shell_word(path);
+/// The set's words in commands that make its pictures again, typed where paths in them start.
+std::string words_of(const DataCommand& command, const std::filesystem::path& file) {
+  const std::filesystem::path start = start_of_commands(file);
+  const bool is_own = start.empty() && file.has_parent_path();
+  std::string words = shell_word(source_word((is_own ? file.stem() : file.filename()).string()));
+  const auto add = [&](const char* flag, const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) words += flag + shell_word(source_word(word_from(start, path)));
+  };
+  add(" --background ", command.behind.pictures);
+  add(" --environment ", command.behind.environments);
   return words;
 }
 
@@ -48,8 +55,9 @@ ExitStatus make_data(const DataCommand& command) {
   check_run_words(command.run);
   if (command.picture && (!command.run.shard.empty() || command.run.update))
     throw Error(ExitStatus::usage, "--picture makes one alone: it does not go with --shard or --update");
-  const DataPlan plan = wanted_data(find_file("scenes", command.file, "data set"), command.behind);
-  PictureWork work(plan, words_of(command));
+  const std::filesystem::path file = find_file("scenes", command.file, "data set");
+  const DataPlan plan = wanted_data(file, command.behind);
+  PictureWork work(plan, words_of(command, file));
   return made_in_folder(work, {.record = record_of(plan), .only = share_of(command, plan)}, command.run);
 }
 
@@ -68,7 +76,8 @@ DeclaredCommand data_command(CLI::App& app) {
       ->allow_extra_args(false);
   command
       ->add_option("--environment", options->behind.environments,
-                   "The same with pictures of all directions, twice as wide as high, which light the things, too")
+                   "The same with pictures of all directions (.png, .hdr), twice as wide as high, which light the "
+                   "things, too")
       ->allow_extra_args(false);
   add_run_options(*command, options->run);
   return {command, [options] { return make_data(*options); }};

@@ -62,8 +62,10 @@ std::optional<Behind> behind(const DataDescription& data, const DrawnPicture& dr
   if (!drawn.background) return {};
   constexpr std::size_t max_picture = std::size_t{256} << 20;  // bytes
   const auto& [file, is_environment] = data.ground.pictures[*drawn.background];
-  const Image whole = read_png(file_bytes(file, max_picture), file.string());
-  if (!is_environment) return Behind{cropped(whole, data.width, data.height, drawn.crop, drawn.crop_size)};
+  const std::string bytes = file_bytes(file, max_picture), name = file.string();
+  if (!is_environment)
+    return Behind{cropped(read_png(bytes, name), data.width, data.height, drawn.crop, drawn.crop_size)};
+  const LinearImage whole = read_environment(bytes, name);
   const ViewFrame frame = view_frame(view);
   const CameraAxes camera{frame.right, frame.up, frame.back};
   return Behind{seen_around(whole, camera, view.vertical_field, data.width, data.height), light_of(whole)};

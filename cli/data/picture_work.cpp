@@ -5,6 +5,7 @@
 
 #include "cli/exhausted.h"
 #include "cli/options/find_style.h"
+#include "generator/base/beside.h"
 #include "generator/base/error.h"
 #include "generator/base/version.h"
 #include "render/strokes/ink_on_picture.h"
@@ -33,7 +34,8 @@ PictureWork::PictureWork(const DataPlan& plan, const std::string& words)
                return painter_.drawn(scene, style, options);
              }},
       ready_(plan.templates) {
-  for (const std::string& style : plan.data.styles) tools_.styles[style] = find_style(style);
+  for (const std::string& style : plan.data.styles)
+    tools_.styles[style] = find_style(style_beside(plan.data.file, style));
 }
 
 std::vector<RecordedEntry> PictureWork::entries() const { return {{"pictures", plan_.data.count, 1}}; }

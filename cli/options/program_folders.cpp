@@ -1,5 +1,6 @@
 #include "cli/options/program_folders.h"
 
+#include <algorithm>
 #include <map>
 
 #include "generator/base/error.h"
@@ -55,6 +56,12 @@ std::vector<fs::path> own_files(const std::string& kind) {
   std::vector<fs::path> files;
   for (const auto& [name, file] : by_name) files.push_back(file);
   return files;
+}
+
+fs::path start_of_commands(const fs::path& file) {
+  const std::vector<fs::path> folders = program_folders("scenes");
+  const bool is_own = std::find(folders.begin(), folders.end(), file.parent_path()) != folders.end();
+  return is_own ? fs::path() : file.parent_path();
 }
 
 fs::path existing_file(const std::string& path) {

@@ -19,6 +19,10 @@ std::string where_looked(const std::string& kind);
 /// The program's own files (.toml) of that kind, sorted by name; those of an earlier folder hide later ones.
 std::vector<std::filesystem::path> own_files(const std::string& kind);
 
+/// The folder at which paths start in commands that make things of the file again: its own, or "", where the program
+/// is called, for the program's own files, which are found by name everywhere.
+std::filesystem::path start_of_commands(const std::filesystem::path& file);
+
 /// The path itself.
 /// \throws Error (input_missing) if there is no such file.
 std::filesystem::path existing_file(const std::string& path);

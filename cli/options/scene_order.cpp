@@ -1,17 +1,22 @@
 #include "cli/options/scene_order.h"
 
-#include <filesystem>
-
 #include "cli/options/find_template.h"
+#include "cli/options/program_folders.h"
+#include "generator/base/beside.h"
+#include "generator/base/small_ending.h"
 #include "generator/order/ordered_fruit.h"
 
 namespace pomona {
 
 Order completed(Order order, const SceneDescription& scene) {
   if (!order.fruit.seed) order.fruit.seed = scene.seed;
-  if (order.color.style.empty() && !scene.style.empty()) {
-    const std::filesystem::path folder = std::filesystem::path(scene.file).parent_path();
-    order.color.style = scene.style.ends_with(".toml") ? (folder / scene.style).string() : scene.style;
+  if (!order.color.style.empty()) {
+    const std::string& typed = order.color.style;
+    const bool is_path = typed.find('/') != std::string::npos || small_ending(typed) == ".toml";
+    if (is_path) order.color.style_word = word_from(start_of_commands(scene.file), typed);
+  } else if (!scene.style.empty()) {
+    order.color.style = style_beside(scene.file, scene.style);
+    order.color.style_word = scene.style;
   }
   return order;
 }

@@ -63,7 +63,7 @@ int read_whole(const TomlValue& value, const char* name) {
   return number;
 }
 
-AssetOptions read_assets(const TomlTable& table, AssetOptions assets, const std::filesystem::path& folder) {
+AssetOptions read_assets(const TomlTable& table, AssetOptions assets) {
   // Lists multiply ...
   read_list(table.get("formats"), assets.formats, read_format);
   read_list(table.get("quality"), assets.qualities,
@@ -73,8 +73,6 @@ AssetOptions read_assets(const TomlTable& table, AssetOptions assets, const std:
 
   // ... all else is the same for each item.
   for (const OrderOption* option : batch_options()) read_option_key(*option, table, assets.order);
-  std::string& style = assets.order.color.style;
-  if (table.has("style") && style.ends_with(".toml")) style = (folder / style).string();
   if (table.has("texel") && table.has("texture"))
     table.get("texel").error("and \"texture\" exclude each other", "keep one of them");
   assets.thumbnail = table.get("thumbnail").integer(assets.thumbnail, 0, 1024);
@@ -105,7 +103,7 @@ class BatchReader {
     batch_.name = read_name(table.need("name"), {});
     batch_.title = table.get("title").text(batch_.name);
     batch_.seed = static_cast<std::uint64_t>(table.get("seed").integer(0, 0, largest_seed));
-    const AssetOptions usual = read_assets(table, {}, folder());
+    const AssetOptions usual = read_assets(table, {});
 
     const std::vector<TomlTable> entries = root.need("entry").tables(max_batch_entries);
     if (root.has("entry") && entries.empty()) root.get("entry").error("is empty", "say what to make: [[entry]]");
@@ -139,7 +137,7 @@ class BatchReader {
     const std::vector<TomlValue> alternatives = one_or_many(table.get("knives"));
     if (!alternatives.empty()) entry.knives.clear();
     for (const TomlValue& alternative : alternatives) entry.knives.push_back(read_alternative(alternative, folder()));
-    entry.assets = read_assets(table, usual, folder());
+    entry.assets = read_assets(table, usual);
     return entry;
   }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "generator/base/beside.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/random.h"
 #include "generator/base/sha256.h"
@@ -89,9 +90,10 @@ void hash_styles(BatchPlan& plan) {
   constexpr std::size_t max_style = std::size_t{1} << 20;  // bytes
   for (const BatchEntry& entry : plan.batch.entries) {
     const std::string& style = entry.assets.order.color.style;
+    const std::string file = style_beside(plan.batch.file, style);
     std::error_code ignored;
-    if (style.ends_with(".toml") && fs::is_regular_file(style, ignored))
-      plan.styles[style] = sha256(file_bytes(style, max_style));
+    if (style.ends_with(".toml") && fs::is_regular_file(file, ignored))
+      plan.styles[style] = sha256(file_bytes(file, max_style));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/base/beside.h"
 #include "generator/base/small_ending.h"
 #include "generator/batch/template_hash.h"
 #include "generator/template/read/read_template.h"
@@ -15,7 +16,8 @@ namespace fs = std::filesystem;
 /// The file behind a name; a fault is reported at the name's place.
 fs::path template_file(const TemplateWanted& wanted, const TemplateSource& source) {
   try {
-    const fs::path file = source.find(wanted.name);
+    const auto beside = found_beside(source.asking, wanted.name);
+    const fs::path file = beside ? *beside : source.find(wanted.name);
     if (small_ending(file) != ".ply") return file;
   } catch (const Error& error) {
     const Diagnostic& what = error.diagnostics().front();

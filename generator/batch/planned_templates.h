@@ -17,8 +17,9 @@ struct PlannedTemplate {
   Template fruit;
 };
 
-/// Finds templates as the command line does.
+/// Finds templates: by paths from the file that asks for them, else as the command line does.
 struct TemplateSource {
+  std::filesystem::path asking = {};
   std::function<std::filesystem::path(const std::string&)> find;
   std::function<std::vector<std::filesystem::path>()> all;
 };

@@ -109,17 +109,25 @@ std::string laws_of(std::string_view toml, const std::string& file) {
 }
 
 /// A picture, or all those in a folder, by name.
-std::vector<fs::path> pictures_at(const fs::path& path) {
+std::vector<fs::path> pictures_at(const fs::path& path, bool are_environments) {
+  const auto is_picture = [&](const fs::path& file) {
+    const std::string ending = small_ending(file);
+    return ending == ".png" || (are_environments && ending == ".hdr");
+  };
   std::error_code failed;
   std::vector<fs::path> found;
   if (fs::is_directory(path, failed)) {
     for (const fs::directory_entry& entry : fs::directory_iterator(path, failed))
-      if (small_ending(entry.path()) == ".png") found.push_back(entry.path());
+      if (is_picture(entry.path())) found.push_back(entry.path());
     std::sort(found.begin(), found.end());
-  } else if (fs::is_regular_file(path, failed) && small_ending(path) == ".png") {
+  } else if (fs::is_regular_file(path, failed) && is_picture(path)) {
     found.push_back(path);
   }
   return found;
+}
+
+const char* endings_read(bool are_environments) {
+  return are_environments ? "a .png or .hdr, or a folder of these" : "a .png, or a folder of these";
 }
 
 class DataReader {
@@ -188,8 +196,7 @@ class DataReader {
     if (!value.given()) return;
     data_.styles.clear();
     for (const TomlValue& one : one_or_many(value)) {
-      const std::string style = one.text();
-      data_.styles.push_back(style.ends_with(".toml") ? (folder_ / style).string() : style);
+      data_.styles.push_back(one.text());
       data_.style_places.push_back(one.place());
     }
     if (data_.styles.empty()) data_.styles.emplace_back("ink");
@@ -252,8 +259,10 @@ class DataReader {
   void add_pictures(const TomlValue& value, bool are_environments) {
     const std::string text = value.text();
     if (text.empty()) return;
-    const std::vector<fs::path> found = pictures_at(folder_ / text);
-    if (found.empty()) value.error("names no picture", "name a .png, or a folder of these, from the file's folder");
+    const std::vector<fs::path> found = pictures_at(folder_ / text, are_environments);
+    if (found.empty())
+      value.error("names no picture",
+                  std::string("name ") + endings_read(are_environments) + ", from the file's folder");
     for (const fs::path& file : found) data_.ground.pictures.push_back({file, are_environments});
   }
 
@@ -321,9 +330,10 @@ DataDescription with_backgrounds(DataDescription data, const BackgroundPaths& pa
     const char* key = are_environments ? "environment" : "picture";
     laws["ground"].erase(key);
     for (const std::string& path : are_environments ? paths.environments : paths.pictures) {
-      const std::vector<fs::path> found = pictures_at(path);
+      const std::vector<fs::path> found = pictures_at(path, are_environments);
       if (found.empty())
-        throw Error(ExitStatus::input_missing, path + ": is no picture", "name a .png, or a folder of these");
+        throw Error(ExitStatus::input_missing, path + ": is no picture",
+                    std::string("name ") + endings_read(are_environments));
       for (const fs::path& file : found) {
         data.ground.pictures.push_back({file, are_environments});
         laws["ground"][key].push_back(file.filename().string());

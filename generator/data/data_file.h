@@ -101,7 +101,7 @@ struct DataDescription {
   int width = 640, height = 480;
   Quality quality = Quality::draft;
   double detail = 0.5;
-  std::vector<std::string> styles{"ink"};  ///< equally likely; paths are from the current folder
+  std::vector<std::string> styles{"ink"};  ///< equally likely; paths start at the file's folder
   std::vector<SourcePlace> style_places;   ///< of each that the file names
   DataLayers layers = DataLayers::png;
   DataClasses classes = DataClasses::species;

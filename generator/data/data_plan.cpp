@@ -34,7 +34,7 @@ std::map<std::string, std::string> hashes_of(const DataDescription& data) {
   const fs::path folder = fs::path(data.file).parent_path();
   std::vector<std::pair<std::string, fs::path>> files;
   for (const std::string& style : data.styles)
-    if (style.ends_with(".toml")) files.emplace_back("style " + fs::path(style).filename().string(), style);
+    if (style.ends_with(".toml")) files.emplace_back("style " + fs::path(style).filename().string(), folder / style);
   for (const DataBackground& picture : data.ground.pictures) {
     const char* kind = picture.is_environment ? "environment " : "picture ";
     files.emplace_back(kind + picture.file.filename().string(), picture.file);
@@ -52,7 +52,11 @@ std::map<std::string, std::string> hashes_of(const DataDescription& data) {
   std::map<std::string, std::string> hashes;
   for (const auto& [name, file] : files) {
     std::error_code ignored;
-    if (fs::is_regular_file(file, ignored)) hashes[name] = sha256(file_bytes(file, max_file));
+    if (!fs::is_regular_file(file, ignored)) continue;
+    const std::string hash = sha256(file_bytes(file, max_file));
+    std::string key = name;  // two folders may have pictures of one name
+    for (int next = 2; hashes.contains(key) && hashes[key] != hash; ++next) key = name + " " + std::to_string(next);
+    hashes[key] = hash;
   }
   return hashes;
 }

@@ -168,7 +168,9 @@ std::vector<OrderOption> color_options() {
       {.name = "style",
        .value = ParsedValue{[](Order& o, const std::string& text) { o.color.style = text; },
                             [](const Order& o) {
-                              const std::string word = source_word(o.color.style);
+                              const ColorOrder& color = o.color;
+                              const std::string word =
+                                  source_word(color.style_word.empty() ? color.style : color.style_word);
                               const ColorOrder unsaid;
                               const std::string usual =
                                   wants_textures(o.mesh) ? baked_style(unsaid) : drawn_style(unsaid);

@@ -49,6 +49,7 @@ struct ColorOrder {
   std::optional<DiffuserKind> diffuser = {};  ///< none: cpu; for the grids of pages and assets harmonic
   Quality quality = Quality::final;           ///< the error of the diffusion, nothing else
   std::string style = {};                     ///< name or path; none: see drawn_style() and baked_style()
+  std::string style_word = {};                ///< `style` in commands that make a piece again, where that differs
 };
 
 /// A length as it was typed, with its unit: commands that make a piece again repeat the words.

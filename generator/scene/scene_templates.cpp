@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "generator/base/beside.h"
 #include "generator/base/error.h"
 #include "generator/template/read/read_template.h"
 
@@ -14,8 +15,7 @@ namespace {
 
 std::filesystem::path template_file(const SceneDescription& scene, const PiecesDescription& pieces,
                                     const ComposeOptions& options) {
-  const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path() / pieces.template_name;
-  if (std::filesystem::is_regular_file(beside)) return beside;
+  if (const auto beside = found_beside(scene.file, pieces.template_name)) return *beside;
   try {
     if (options.find_template) return options.find_template(pieces.template_name);
   } catch (const Error& error) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/beside.h"
 #include "generator/base/error.h"
 #include "generator/template/read/read_template.h"
 #include "render/page/make_asset.h"
@@ -22,8 +23,8 @@ std::filesystem::path template_of(const SceneDescription& scene, const std::stri
                                   const FindTemplate& find_template) {
   for (const PiecesDescription& pieces : scene.pieces) {
     if (pieces.name != entry) continue;
-    const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path() / pieces.template_name;
-    return std::filesystem::is_regular_file(beside) ? beside : find_template(pieces.template_name);
+    const auto beside = found_beside(scene.file, pieces.template_name);
+    return beside ? *beside : find_template(pieces.template_name);
   }
   throw Error(ExitStatus::bug, "no entry of the scene is called " + entry);
 }

@@ -12,7 +12,9 @@
 #include "generator/base/luminance.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "render/image/hdr.h"
 #include "render/image/linear_pixels.h"
+#include "render/image/png.h"
 
 namespace pomona {
 
@@ -29,14 +31,30 @@ struct SkyPlace {
   double solid_angle = 0;
 };
 
+/// The picture in means of squares, so that no row is longer than light needs.
+LinearImage coarse(const LinearImage& picture) {
+  constexpr int enough = 1024;
+  const int side = picture.width / enough;
+  if (side < 2) return picture;
+  LinearImage means{picture.width / side, picture.height / side, {}};
+  for (int y = 0; y < means.height; ++y) {
+    for (int x = 0; x < means.width; ++x) {
+      Color sum(0);
+      for (int k = 0; k < side * side; ++k)
+        sum += picture.pixels[static_cast<std::size_t>(y * side + k / side) * picture.width + x * side + k % side];
+      means.pixels.push_back(sum / static_cast<float>(side * side));
+    }
+  }
+  return means;
+}
+
 /// All pixels above the horizon.
-std::vector<SkyPlace> sky_of(const Image& picture) {
+std::vector<SkyPlace> sky_of(const LinearImage& picture) {
   std::vector<glm::dvec2> around;  // sine and cosine of each column's azimuth
   for (int x = 0; x < picture.width; ++x) {
     const double azimuth = -2 * pi * (x + 0.5) / picture.width;
     around.emplace_back(reproducible::sin(azimuth), reproducible::cos(azimuth));
   }
-  const std::vector<Color> pixels = linear_pixels(picture);
   std::vector<SkyPlace> sky;
   const int rows = picture.height / 2;
   for (int y = 0; y < rows; ++y) {
@@ -44,7 +62,7 @@ std::vector<SkyPlace> sky_of(const Image& picture) {
     const double level = reproducible::cos(elevation), up = reproducible::sin(elevation);
     const double solid_angle = 2 * pi / picture.width * pi / picture.height * level;
     for (int x = 0; x < picture.width; ++x) {
-      const Color& color = pixels[static_cast<std::size_t>(y) * picture.width + x];
+      const Color& color = picture.pixels[static_cast<std::size_t>(y) * picture.width + x];
       const glm::dvec2& turn = around[static_cast<std::size_t>(x)];
       sky.push_back({color, luminance(color), {level * turn.x, up, level * turn.y}, solid_angle});
     }
@@ -124,8 +142,8 @@ glm::dvec3 direction_seen(const CameraAxes& camera, double half, const glm::ivec
 /// Colours of an environment in between its pixels.
 class Surroundings {
  public:
-  explicit Surroundings(const Image& picture)
-      : width_(picture.width), height_(picture.height), pixels_(linear_pixels(picture)) {}
+  explicit Surroundings(const LinearImage& picture)
+      : width_(picture.width), height_(picture.height), pixels_(picture.pixels) {}
 
   Color towards(const glm::dvec3& d) const {
     const double azimuth = reproducible::atan2(d.x, d.z);
@@ -146,25 +164,44 @@ class Surroundings {
   }
 
   int width_, height_;
-  std::vector<Color> pixels_;
+  const std::vector<Color>& pixels_;
 };
 
-}  // namespace
-
-void check_environment(const Image& picture, const std::string& name) {
-  if (picture.height >= 2 && picture.width == 2 * picture.height) return;
+void check_shape(int width, int height, const std::string& name) {
+  if (height >= 2 && width == 2 * height) return;
   throw Error(ExitStatus::bad_data, name + ": is no picture of all directions",
               "environments are equirectangular: twice as wide as high");
 }
 
-EnvironmentLight light_of(const Image& picture) {
-  const SkyLight sky = sky_light(sky_of(picture));
+/// As bright as if white paper that faces upwards in its light were white.
+LinearImage exposed(LinearImage picture) {
+  const double on_table = sky_light(sky_of(coarse(picture))).on_table;
+  if (!(on_table > 0)) return picture;
+  for (Color& pixel : picture.pixels) pixel *= static_cast<float>(pi / on_table);
+  return picture;
+}
+
+}  // namespace
+
+LinearImage read_environment(const std::string& bytes, const std::string& name) {
+  if (is_hdr(bytes)) {
+    LinearImage picture = read_hdr(bytes, name);
+    check_shape(picture.width, picture.height, name);
+    return exposed(std::move(picture));
+  }
+  const Image picture = read_png(bytes, name);
+  check_shape(picture.width, picture.height, name);
+  return {picture.width, picture.height, linear_pixels(picture)};
+}
+
+EnvironmentLight light_of(const LinearImage& picture) {
+  const SkyLight sky = sky_light(sky_of(coarse(picture)));
   EnvironmentLight light;
   if (sky.on_table > 0) light.tint = Color(sky.color / sky.on_table);
   return with_shares(with_lamp(light, sky), sky);
 }
 
-Image seen_around(const Image& picture, const CameraAxes& camera, double vertical_field, int width, int height) {
+Image seen_around(const LinearImage& picture, const CameraAxes& camera, double vertical_field, int width, int height) {
   const double half = reproducible::sin(0.5 * vertical_field) / reproducible::cos(0.5 * vertical_field);
   const Surroundings around(picture);
   std::vector<Color> seen;

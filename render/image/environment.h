@@ -7,6 +7,7 @@
 
 #include "generator/base/color.h"
 #include "render/image/image.h"
+#include "render/image/linear_pixels.h"
 
 namespace pomona {
 
@@ -20,13 +21,14 @@ struct EnvironmentLight {
   Color tint{1};        ///< the colour of all light on a table, as bright as white
 };
 
+/// A .png, or an .hdr, whose numbers are exposed so that white paper on the table is white.
 /// Environments are equirectangular, as cameras of 360 degrees write them: the middle row is the horizon, the middle
 /// column lies towards -Z, and +X to the right of it.
 /// \param name for messages. \throws Error (bad_data) for a picture that is not twice as wide as high.
-void check_environment(const Image& picture, const std::string& name);
+LinearImage read_environment(const std::string& bytes, const std::string& name);
 
-/// \param picture of check_environment(). What is below the horizon lights nothing.
-EnvironmentLight light_of(const Image& picture);
+/// \param picture of read_environment(). What is below the horizon lights nothing.
+EnvironmentLight light_of(const LinearImage& picture);
 
 /// Axes of a camera that looks along -back, unit.
 struct CameraAxes {
@@ -34,6 +36,6 @@ struct CameraAxes {
 };
 
 /// What such a camera sees of the environment, which is far away. \param vertical_field radians
-Image seen_around(const Image& picture, const CameraAxes& camera, double vertical_field, int width, int height);
+Image seen_around(const LinearImage& picture, const CameraAxes& camera, double vertical_field, int width, int height);
 
 }  // namespace pomona

@@ -84,17 +84,18 @@ class Remake(unittest.TestCase):
     def pomona(self, *words):
         subprocess.run([PROGRAM, *words, "--quiet"], cwd=self.path, check=True)
 
-    def by_command(self, command):
+    def by_command(self, command, folder="."):
         """The mesh that a command makes, run by a shell."""
         environment = dict(os.environ, PATH=f"{PROGRAM.parent}:{os.environ['PATH']}")
-        result = subprocess.run(["sh", "-c", command + " --quiet"], cwd=self.path, env=environment, capture_output=True,
-                                text=True)
+        result = subprocess.run(["sh", "-c", command + " --quiet"], cwd=self.path / folder, env=environment,
+                                capture_output=True, text=True)
         self.assertEqual(result.returncode, 0, command + "\n" + result.stderr)
-        document, buffer = read(self.path / command.split(" -o ")[1].strip("'"))
+        document, buffer = read(self.path / folder / command.split(" -o ")[1].strip("'"))
         self.assertEqual(len(document["meshes"]), 1, command)
         return arrays(document, buffer, document["meshes"][0])
 
-    def assert_made_again(self, file, least):
+    def assert_made_again(self, file, least, folder="."):
+        """By commands that are typed in the folder."""
         document, buffer = read(self.path / file)
         self.assertGreaterEqual(len(document["meshes"]), least)
         commands = set()
@@ -103,7 +104,7 @@ class Remake(unittest.TestCase):
             self.assertNotIn(str(self.path), command)
             self.assertIsInstance(mesh["extras"]["seed"], int)
             self.assertIsInstance(mesh["extras"]["index"], int)
-            self.assertEqual(self.by_command(command), arrays(document, buffer, mesh), command)
+            self.assertEqual(self.by_command(command, folder), arrays(document, buffer, mesh), command)
             commands.add(command)
         self.assertEqual(len(commands), len(document["meshes"]))
 
@@ -126,6 +127,38 @@ class Remake(unittest.TestCase):
                                               'templates = ["tomato"]\ncount = 1\nknives = ["half"]\n')
         self.pomona("batch", "batch.toml", "-o", "out")
         self.assert_made_again(next((self.path / "out").rglob("tomato.glb")).relative_to(self.path), 2)
+
+    def prepare_folder(self):
+        """sub/own has a template and a style; looks another style."""
+        for folder in ("sub/own", "looks"):
+            (self.path / folder).mkdir(parents=True)
+            shutil.copy(SOURCE / "styles/gouache.toml", self.path / folder / "mine.toml")
+        shutil.copy(SOURCE / "templates/radish.toml", self.path / "sub/own")
+
+    def test_of_a_scene_in_its_folder(self):
+        # The scene's template is named from its folder, the style from where the program is called.
+        self.prepare_folder()
+        scene = ('format = 1\nname = "s"\n{}[[pieces]]\nname = "own"\ntemplate = "own/radish.toml"\n'
+                 'knives = ["half"]\ntake = 1\n')
+        quick = ["--detail", "0.2", "--quality", "draft"]
+        (self.path / "sub/typed.toml").write_text(scene.format(""))
+        self.pomona("scene", "sub/typed.toml", "--style", "looks/mine.toml", *quick, "-o", "typed.glb")
+        self.assert_made_again("typed.glb", 1, "sub")
+        self.assertIn("--style ../looks/mine.toml ", read(self.path / "typed.glb")[0]["meshes"][0]["extras"]["command"])
+        (self.path / "sub/named.toml").write_text(scene.format('style = "own/mine.toml"\n'))
+        self.pomona("scene", "sub/named.toml", *quick, "-o", "named.glb")
+        self.assert_made_again("named.glb", 1, "sub")
+
+    def test_of_a_batch_in_its_folder(self):
+        self.prepare_folder()
+        (self.path / "sub/batch.toml").write_text(
+            '[batch]\nformat = 1\nname = "b"\ndetail = 0.2\nstyle = "own/mine.toml"\n[[entry]]\nname = "cut"\n'
+            'templates = ["own/radish.toml"]\ncount = 1\nknives = ["half"]\n')
+        self.pomona("batch", "sub/batch.toml", "-o", "out")
+        item = next((self.path / "out").rglob("radish.glb")).relative_to(self.path)
+        self.assert_made_again(item, 2, "sub")
+        # The same folder, whatever the path to its file.
+        self.pomona("batch", self.path / "sub/batch.toml", "-o", "out", "--resume")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 // The commands that make pieces again: tests/cli/remake_test.py runs them.
 #include <gtest/gtest.h>
 
+#include "generator/order/option_table.h"
 #include "generator/order/ordered_fruit.h"
 
 namespace pomona {
@@ -30,6 +31,14 @@ TEST(Command, SaysAllThatIsNotAsUsual) {
 TEST(Command, KeepsLargeSeedsWhole) {
   const PieceOrigin piece{.source = "kiwi", .key = {.seed = 18446744073709551615u}, .number = 1, .pieces = 1};
   EXPECT_EQ(command_for(piece, "x.glb"), "pomona grow kiwi --seed 18446744073709551615 -o x.glb");
+}
+
+TEST(Command, NamesTheStyleAsSeenFromWhereItIsTyped) {
+  Order order;
+  order.color.style = "sets/looks/mine.toml";
+  EXPECT_EQ(piece_words(order), " --style sets/looks/mine.toml");
+  order.color.style_word = "looks/mine.toml";
+  EXPECT_EQ(piece_words(order), " --style looks/mine.toml");
 }
 
 TEST(Command, OfNobodyKnowsWhatIsNoCommand) {

@@ -168,6 +168,39 @@ class SameBytes(Sandbox):
         self.assertEqual(again, tree(self.whole / "pictures/003"))
         self.assertEqual([path.name for path in (self.path / "again/pictures").iterdir()], ["003"])
 
+    def test_from_any_folder(self):
+        # A style and a template beside the file, pictures elsewhere: all is found, and told as from the file's folder.
+        sub = self.path / "sets/fruit"
+        for folder in (sub / "own", self.path / "photos"):
+            folder.mkdir(parents=True)
+        shutil.copy(SOURCE / "templates/radish.toml", sub / "own")
+        shutil.copy(SOURCE / "styles/photo.toml", sub / "own/mine.toml")
+        (self.path / "photos/green.png").write_bytes(png_bytes(50, 50, (40, 160, 90)))
+        (sub / "small.toml").write_text('[data]\nformat = 1\nname = "small"\ncount = 1\nsize = [64, 48]\n'
+                                        'detail = 0.1\nstyle = "own/mine.toml"\n[scene]\nfruits = 1\n'
+                                        '[[fruit]]\nname = "own"\ntemplates = "own/radish.toml"\n')
+        for folder, file, photos, out in ((self.path, "sets/fruit/small.toml", "photos", "outside"),
+                                          (sub, "small.toml", "../../photos/", "../../inside"),
+                                          (self.path, sub / "small.toml", "./photos", "absolute")):
+            made = pomona(PROGRAM, "data", file, "--background", photos, "-o", out, folder=folder)
+            self.assertEqual(made.returncode, 0, made.stderr)
+        made = tree(self.path / "outside")
+        for out in ("inside", "absolute"):
+            self.assertEqual(tree(self.path / out), made, out)
+        told = json.loads((self.path / "outside/pictures/000/annotations.json").read_text())["images"][0]
+        self.assertEqual(told["style"], "own/mine.toml")
+        words = shlex.split(told["command"])
+        self.assertEqual(words[2:5], ["small.toml", "--background", "../../photos"])
+        again = pomona(PROGRAM, *words[1:], folder=sub)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(tree(sub / "again/pictures"), tree(self.path / "outside/pictures"))
+        # Of a path that means nothing on another machine, the name is told.
+        made = pomona(PROGRAM, "data", "sets/fruit/small.toml", "--background", self.path / "photos", "-o", "name",
+                      folder=self.path)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        told = json.loads((self.path / "name/pictures/000/annotations.json").read_text())["images"][0]
+        self.assertEqual(told["command"], "pomona data small.toml --background photos --picture 0 -o again")
+
     def test_after_a_kill(self):
         run = subprocess.Popen([PROGRAM, "data", "small.toml", "-o", "out", "--threads", "1", "--quiet"], cwd=self.path)
         while run.poll() is None and not (self.path / "out/pictures/001").exists():
@@ -294,6 +327,14 @@ class Looks(Sandbox):
         for folder in ("out", "named"):
             self.assertEqual((self.path / folder / "pictures/001/picture.png").read_bytes(),
                              (self.path / "again/pictures/001/picture.png").read_bytes())
+        # Of two folders both pictures of a name are known.
+        (self.path / "more").mkdir()
+        (self.path / "more/green.png").write_bytes(png_bytes(50, 50, (50, 150, 80)))
+        self.run_pomona("data", "small.toml", "--background", "my pictures", "--background", "more",
+                        "--picture", "0", "-o", "both", "--quiet")
+        known = json.loads((self.path / "both/batch.json").read_text())["files"]
+        self.assertEqual([one["file"] for one in known if "green" in one["file"]],
+                         ["picture green.png", "picture green.png 2"])
         # A folder of other pictures is another set.
         self.run_data("--quiet", "--resume", status=73)
         other = ["data", "small.toml", "-o", "other", "--background"]
@@ -317,6 +358,15 @@ class Looks(Sandbox):
             # Seen from above, what stands behind is below the horizon.
             ground = [color for color, piece in both if piece == 0]
             self.assertGreater(sum(max(p) < 12 for p in ground), 0.8 * len(ground))
+        # The same room as light: what is black stays black, and 255 is no limit.
+        codes = {(90, 90, 90): (90, 90, 90, 128), (255, 200, 120): (255, 200, 120, 138), (0, 0, 0): (0, 0, 0, 0)}
+        rows = b"".join(bytes(codes[color]) for row in sky for color in row)
+        (self.path / "rooms").mkdir()
+        (self.path / "rooms/sun.hdr").write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n" + rows)
+        self.prepare(self.path, self.LOOK)
+        self.run_pomona("data", "small.toml", "--environment", "rooms", "--picture", "0", "-o", "sunny", "--quiet")
+        told = json.loads((self.path / "sunny/pictures/000/annotations.json").read_text())["images"][0]
+        self.assertEqual(told["environment"], "sun.hdr")
         self.prepare(self.path, self.LOOK + '[ground]\nenvironment = "square.png"\n')
         (self.path / "square.png").write_bytes(png_bytes(8, 8, (9, 9, 9)))
         self.assertIn("twice as wide as high", self.run_pomona("check", "small.toml", status=65).stderr)

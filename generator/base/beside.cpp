@@ -1,0 +1,42 @@
+#include "generator/base/beside.h"
+
+#include <system_error>
+
+namespace pomona {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "photos" of "./photos/".
+fs::path plain(const fs::path& path) {
+  const fs::path normal = path.lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+}  // namespace
+
+std::optional<fs::path> found_beside(const fs::path& file, const std::string& path) {
+  std::error_code ignored;
+  fs::path beside = file.parent_path() / path;
+  if (!fs::is_regular_file(beside, ignored)) return {};
+  return beside;
+}
+
+std::string style_beside(const fs::path& file, const std::string& style) {
+  return style.ends_with(".toml") ? (file.parent_path() / style).string() : style;
+}
+
+std::string word_from(const fs::path& folder, const std::string& path) {
+  const fs::path typed = plain(path);
+  if (typed.is_absolute()) return typed.filename().string();
+  if (folder.empty()) return typed.string();
+  // What leads to it may be a link, where ".." leads elsewhere than in the words; the last name stays.
+  std::error_code wrong;
+  const fs::path start = fs::weakly_canonical(fs::absolute(folder, wrong), wrong);
+  const fs::path whole = plain(fs::absolute(typed, wrong));
+  const fs::path step = (fs::weakly_canonical(whole.parent_path(), wrong) / whole.filename()).lexically_relative(start);
+  return wrong || step.empty() ? typed.string() : step.string();
+}
+
+}  // namespace pomona

@@ -1,0 +1,20 @@
+// Paths in a file start at its folder; paths in commands start at the folder of the file that they make again.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace pomona {
+
+/// The file that `file` names by a path from its folder, if it is there.
+std::optional<std::filesystem::path> found_beside(const std::filesystem::path& file, const std::string& path);
+
+/// A style that `file` names, as the command line takes it: a path (.toml) is from the current folder.
+std::string style_beside(const std::filesystem::path& file, const std::string& style);
+
+/// A path of the command line as a word of a command that is typed in the folder. An absolute one keeps its name alone,
+/// so that nothing tells of the machine. "" is the current folder.
+std::string word_from(const std::filesystem::path& folder, const std::string& path);
+
+}  // namespace pomona
