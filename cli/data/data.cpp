@@ -40,8 +40,7 @@ std::optional<Shard> share_of(const DataCommand& command, const DataPlan& plan) 
 /// The set's words in commands that make its pictures again, typed where paths in them start.
 std::string words_of(const DataCommand& command, const std::filesystem::path& file) {
   const std::filesystem::path start = start_of_commands(file);
-  const bool is_own = start.empty() && file.has_parent_path();
-  std::string words = shell_word(source_word((is_own ? file.stem() : file.filename()).string()));
+  std::string words = shell_word(source_word((is_own_scene(file) ? file.stem() : file.filename()).string()));
   const auto add = [&](const char* flag, const std::vector<std::string>& paths) {
     for (const std::string& path : paths) words += flag + shell_word(source_word(word_from(start, path)));
   };

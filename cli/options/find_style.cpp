@@ -11,9 +11,12 @@ namespace fs = std::filesystem;
 
 namespace pomona {
 
+bool is_style_path(const std::string& name_or_path) {
+  return name_or_path.find('/') != std::string::npos || small_ending(name_or_path) == ".toml";
+}
+
 Style find_style(const std::string& name_or_path) {
-  const bool is_path = name_or_path.find('/') != std::string::npos || small_ending(name_or_path) == ".toml";
-  if (is_path) {
+  if (is_style_path(name_or_path)) {
     const fs::path file = existing_file(name_or_path);
     check_kind(file, FileKind::style);
     return read_style(file);

@@ -58,11 +58,12 @@ std::vector<fs::path> own_files(const std::string& kind) {
   return files;
 }
 
-fs::path start_of_commands(const fs::path& file) {
+bool is_own_scene(const fs::path& file) {
   const std::vector<fs::path> folders = program_folders("scenes");
-  const bool is_own = std::find(folders.begin(), folders.end(), file.parent_path()) != folders.end();
-  return is_own ? fs::path() : file.parent_path();
+  return std::find(folders.begin(), folders.end(), file.parent_path()) != folders.end();
 }
+
+fs::path start_of_commands(const fs::path& file) { return is_own_scene(file) ? fs::path() : file.parent_path(); }
 
 fs::path existing_file(const std::string& path) {
   const std::string why = why_no_file(path);

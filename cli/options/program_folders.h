@@ -19,8 +19,11 @@ std::string where_looked(const std::string& kind);
 /// The program's own files (.toml) of that kind, sorted by name; those of an earlier folder hide later ones.
 std::vector<std::filesystem::path> own_files(const std::string& kind);
 
+/// Whether a scene, batch or data set is one of the program's own, which are found by name everywhere.
+bool is_own_scene(const std::filesystem::path& file);
+
 /// The folder at which paths start in commands that make things of the file again: its own, or "", where the program
-/// is called, for the program's own files, which are found by name everywhere.
+/// is called, for the program's own.
 std::filesystem::path start_of_commands(const std::filesystem::path& file);
 
 /// The path itself.

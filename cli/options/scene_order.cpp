@@ -1,9 +1,9 @@
 #include "cli/options/scene_order.h"
 
+#include "cli/options/find_style.h"
 #include "cli/options/find_template.h"
 #include "cli/options/program_folders.h"
 #include "generator/base/beside.h"
-#include "generator/base/small_ending.h"
 #include "generator/order/ordered_fruit.h"
 
 namespace pomona {
@@ -12,8 +12,7 @@ Order completed(Order order, const SceneDescription& scene) {
   if (!order.fruit.seed) order.fruit.seed = scene.seed;
   if (!order.color.style.empty()) {
     const std::string& typed = order.color.style;
-    const bool is_path = typed.find('/') != std::string::npos || small_ending(typed) == ".toml";
-    if (is_path) order.color.style_word = word_from(start_of_commands(scene.file), typed);
+    if (is_style_path(typed)) order.color.style_word = word_from(start_of_commands(scene.file), typed);
   } else if (!scene.style.empty()) {
     order.color.style = style_beside(scene.file, scene.style);
     order.color.style_word = scene.style;

@@ -48,23 +48,12 @@ class FittedField {
   }
 
   /// A point, with some room to each side.
-  void hold(const glm::dvec3& p, double around = 0) {
-    const double r = glm::dot(p, right_), u = glm::dot(p, up_), b = glm::dot(p, back_);
-    to_right_ = std::max(to_right_, slope_right_ * b + r + around);
-    to_left_ = std::max(to_left_, slope_right_ * b - r + around);
-    above_ = std::max(above_, slope_up_ * b + u + around);
-    below_ = std::max(below_, slope_up_ * b - u + around);
-    nearest_ = std::max(nearest_, b);
-  }
+  void hold(const glm::dvec3& p, double around = 0) { hold(p, {around, around, around, around, 0}); }
 
   /// A level disc. What is linear in the place is largest at the centre plus the radius times its level slope.
   void hold_disc(const glm::dvec3& center, double radius) {
-    const double r = glm::dot(center, right_), u = glm::dot(center, up_), b = glm::dot(center, back_);
-    to_right_ = std::max(to_right_, slope_right_ * b + r + radius * level_right_);
-    to_left_ = std::max(to_left_, slope_right_ * b - r + radius * level_left_);
-    above_ = std::max(above_, slope_up_ * b + u + radius * level_above_);
-    below_ = std::max(below_, slope_up_ * b - u + radius * level_below_);
-    nearest_ = std::max(nearest_, b + radius * level_of(back_));
+    hold(center, {radius * level_right_, radius * level_left_, radius * level_above_, radius * level_below_,
+                  radius * level_of(back_)});
   }
 
   bool is_empty() const { return !(nearest_ > none); }
@@ -83,6 +72,20 @@ class FittedField {
   const glm::dvec3& back() const { return back_; }
 
  private:
+  /// What a point needs besides itself, metres: in the directions of the field's borders, and towards the eye.
+  struct Room {
+    double right, left, above, below, back;
+  };
+
+  void hold(const glm::dvec3& p, const Room& room) {
+    const double r = glm::dot(p, right_), u = glm::dot(p, up_), b = glm::dot(p, back_);
+    to_right_ = std::max(to_right_, slope_right_ * b + r + room.right);
+    to_left_ = std::max(to_left_, slope_right_ * b - r + room.left);
+    above_ = std::max(above_, slope_up_ * b + u + room.above);
+    below_ = std::max(below_, slope_up_ * b - u + room.below);
+    nearest_ = std::max(nearest_, b + room.back);
+  }
+
   static double level_of(const glm::dvec3& slope) { return std::sqrt(slope.x * slope.x + slope.z * slope.z); }
 
   static constexpr double margin = 1.06, none = -std::numeric_limits<double>::infinity();

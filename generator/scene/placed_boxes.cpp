@@ -1,9 +1,12 @@
 #include "generator/scene/placed_boxes.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
@@ -13,6 +16,9 @@ glm::mat4 matrix_of(const Pose& pose) {
   return glm::mat4(matrix);
 }
 
+namespace {
+
+/// The placed bounding boxes of all instances with vertices.
 std::vector<Box<float>> placed_boxes(const Scene& scene) {
   std::vector<Box<float>> own;
   for (const Solid& solid : scene.solids) own.push_back(box_around(solid.mesh.position));
@@ -31,17 +37,25 @@ std::vector<Box<float>> placed_boxes(const Scene& scene) {
   return placed;
 }
 
+SceneBall ball_of(const std::vector<Box<float>>& boxes) {
+  if (boxes.empty()) return {glm::vec3(0), 0.1f};
+  Box<float> all;
+  for (const Box<float>& box : boxes) all.add(box);
+  return {all.center(), std::max(0.5f * glm::length(all.size()), 1e-4f)};
+}
+
+}  // namespace
+
+SceneBall ball_around(const Scene& scene) { return ball_of(placed_boxes(scene)); }
+
 float sky_reach(const Scene& scene) {
   const std::vector<Box<float>> boxes = placed_boxes(scene);
   if (boxes.empty()) return 0;
   // Thin parts, such as a cherry's stem, must not make the reach larger.
   float size = 0;
-  Box<float> all;
-  for (const Box<float>& box : boxes) {
+  for (const Box<float>& box : boxes)
     size += std::min(box.size().y, std::max(box.size().x, box.size().z)) / static_cast<float>(boxes.size());
-    all.add(box);
-  }
-  const float radius = std::max(0.5f * glm::length(all.size()), 1e-4f);
+  const float radius = ball_of(boxes).radius;
   return std::clamp(0.6f * size, 0.01f * radius, radius);
 }
 

@@ -1,11 +1,8 @@
-// The boxes around a scene's pieces, and how far pieces shade the ground around them.
+// Where a scene's pieces are, by the boxes around them: the ball around all, and how far they shade the ground.
 #pragma once
-
-#include <vector>
 
 #include <glm/mat4x4.hpp>
 
-#include "generator/mesh/box.h"
 #include "generator/scene/scene.h"
 
 namespace pomona {
@@ -13,8 +10,13 @@ namespace pomona {
 /// A pose as a matrix.
 glm::mat4 matrix_of(const Pose& pose);
 
-/// The placed bounding boxes of all instances with vertices.
-std::vector<Box<float>> placed_boxes(const Scene& scene);
+/// A ball around all instances.
+struct SceneBall {
+  glm::vec3 center{0};
+  float radius = 0;
+};
+
+SceneBall ball_around(const Scene& scene);
 
 /// How far from pieces the ground loses light of the sky: metres, six tenths of the pieces' mean height, or width if
 /// that is less; 0 without pieces.

@@ -6,17 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "generator/mesh/box.h"
-#include "generator/scene/placed_boxes.h"
-
 namespace pomona {
-
-SceneBall ball_around(const Scene& scene) {
-  Box<float> all;
-  for (const Box<float>& box : placed_boxes(scene)) all.add(box);
-  if (all.low.x > all.high.x) return {glm::vec3(0), 0.1f};
-  return {all.center(), std::max(0.5f * glm::length(all.size()), 1e-4f)};
-}
 
 TableShade table_shade_of(const Scene& scene, const SceneBall& ball) {
   TableShade shade;

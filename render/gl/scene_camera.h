@@ -3,18 +3,11 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "generator/scene/placed_boxes.h"
 #include "generator/scene/scene.h"
 #include "render/style/style.h"
 
 namespace pomona {
-
-/// A ball around all instances.
-struct SceneBall {
-  glm::vec3 center{0};
-  float radius = 0;
-};
-
-SceneBall ball_around(const Scene& scene);
 
 struct SceneCamera {
   glm::mat4 view{1};        ///< scene to camera; it looks along -Z

@@ -54,7 +54,7 @@ class HdrReader {
     return text;
   }
 
-  /// Reads the header: words, an empty line, and the size. The picture has room for as many pixels as follow at most.
+  /// Reads the header: words, an empty line, and the size. The picture has no pixels yet.
   LinearImage size_told() {
     while (true) {
       const std::string_view text = line();
@@ -67,7 +67,7 @@ class HdrReader {
     if (!width || !text.empty()) fail("says no size that is read", "it should be as in \"-Y 512 +X 1024\"");
     if (*width > max_hdr_side || *height > max_hdr_side / 2)
       fail("is larger than " + std::to_string(max_hdr_side) + " x " + std::to_string(max_hdr_side / 2) + " pixels");
-    // 128 pixels take two bytes a channel at least, or one of the old kind any number: rows are read one by one.
+    // How many pixels follow is not known from the bytes, for runs may be long: memory grows as rows are read.
     return {*width, *height, {}};
   }
 

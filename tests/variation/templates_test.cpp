@@ -262,9 +262,11 @@ TEST(TemplateLayers, CoresEndBeforeChambers) {
 }
 
 TEST(TemplateLayers, OfVariantsLieWithinEachOther) {
-  for (const char* name : {"kiwi", "pineapple", "mango", "radish", "banana", "fig", "volcano"}) {
+  using Case = std::pair<const char*, std::uint64_t>;  // and how many seeds
+  for (const auto& [name, seeds] : {Case{"kiwi", 10}, Case{"pineapple", 2}, Case{"mango", 2}, Case{"radish", 2},
+                                    Case{"banana", 2}, Case{"fig", 2}, Case{"volcano", 2}}) {
     const Variation variation(drawn(name));
-    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       const Template variant = variation.draw({seed, 0}, {}).fruit;
       EXPECT_THAT(crossing_layer_warnings(variant, sweep(variant)), testing::IsEmpty()) << name << " " << seed;
     }
