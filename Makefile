@@ -227,7 +227,7 @@ stops: ## a run that writes files stopped 500 times, by signals, kills and faili
 	cmake --build build --target pomona failing_calls -j $(JOBS)
 	tests/cli/stops_test.py build/pomona $$(find build -name libfailing_calls.so) 500
 
-malformed: build ## our own files spoilt in some 2900 ways, each told with its place within 2 s and 512 MB
+malformed: build ## our own files spoilt in some 3000 ways, each told with its place within 2 s and 512 MB
 	tests/malformed/malformed.py build/pomona
 
 # The readers alone, by clang, under both sanitizers; a few minutes without ccache.

@@ -4,16 +4,12 @@
 
 #include "cli/options/file_kind.h"
 #include "cli/options/program_folders.h"
-#include "generator/base/small_ending.h"
+#include "generator/base/beside.h"
 #include "render/style/style_file.h"
 
 namespace fs = std::filesystem;
 
 namespace pomona {
-
-bool is_style_path(const std::string& name_or_path) {
-  return name_or_path.find('/') != std::string::npos || small_ending(name_or_path) == ".toml";
-}
 
 Style find_style(const std::string& name_or_path) {
   if (is_style_path(name_or_path)) {

@@ -14,9 +14,6 @@ namespace pomona {
 /// that is no style.
 Style find_style(const std::string& name_or_path);
 
-/// Whether a style is given by its path: it has a folder or the ending .toml.
-bool is_style_path(const std::string& name_or_path);
-
 /// All styles with a name, sorted.
 std::vector<Style> all_known_styles();
 

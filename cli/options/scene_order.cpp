@@ -1,6 +1,5 @@
 #include "cli/options/scene_order.h"
 
-#include "cli/options/find_style.h"
 #include "cli/options/find_template.h"
 #include "cli/options/program_folders.h"
 #include "generator/base/beside.h"

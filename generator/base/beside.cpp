@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "generator/base/small_ending.h"
+
 namespace pomona {
 
 namespace fs = std::filesystem;
@@ -23,8 +25,12 @@ std::optional<fs::path> found_beside(const fs::path& file, const std::string& pa
   return beside;
 }
 
+bool is_style_path(const std::string& name_or_path) {
+  return name_or_path.find('/') != std::string::npos || small_ending(name_or_path) == ".toml";
+}
+
 std::string style_beside(const fs::path& file, const std::string& style) {
-  return style.ends_with(".toml") ? (file.parent_path() / style).string() : style;
+  return is_style_path(style) ? (file.parent_path() / style).string() : style;
 }
 
 std::string word_from(const fs::path& folder, const std::string& path) {

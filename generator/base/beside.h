@@ -10,7 +10,10 @@ namespace pomona {
 /// The file that `file` names by a path from its folder, if it is there.
 std::optional<std::filesystem::path> found_beside(const std::filesystem::path& file, const std::string& path);
 
-/// A style that `file` names, as the command line takes it: a path (.toml) is from the current folder.
+/// Whether a style is given by its path: it has a folder or the ending .toml.
+bool is_style_path(const std::string& name_or_path);
+
+/// A style that `file` names, as the command line takes it: a path is from the current folder.
 std::string style_beside(const std::filesystem::path& file, const std::string& style);
 
 /// A path of the command line as a word of a command that is typed in the folder. An absolute one keeps its name alone,

@@ -92,7 +92,7 @@ void hash_styles(BatchPlan& plan) {
     const std::string& style = entry.assets.order.color.style;
     const std::string file = style_beside(plan.batch.file, style);
     std::error_code ignored;
-    if (style.ends_with(".toml") && fs::is_regular_file(file, ignored))
+    if (is_style_path(style) && fs::is_regular_file(file, ignored))
       plan.styles[style] = sha256(file_bytes(file, max_style));
   }
 }

@@ -7,6 +7,7 @@
 #include "generator/base/error.h"
 #include "generator/base/path_within.h"
 #include "generator/base/sha256.h"
+#include "generator/base/small_ending.h"
 #include "generator/text/toml_node.h"
 #include "generator/text/toml_text.h"
 
@@ -23,7 +24,7 @@ void add_named_files(const TomlNode& node, const fs::path& folder, const std::st
 
 /// The names in a template that another one names.
 void add_names_within(const std::string& name, const fs::path& folder, int levels, std::set<std::string>& names) {
-  if (levels == 0 || fs::path(name).extension() != ".toml") return;
+  if (levels == 0 || small_ending(name) != ".toml") return;
   const fs::path file = folder / name;
   try {
     const TomlNode root = parse_toml(read_toml_text(file), file.string());

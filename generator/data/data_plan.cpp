@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/beside.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/json_text.h"
 #include "generator/base/random.h"
@@ -34,7 +35,7 @@ std::map<std::string, std::string> hashes_of(const DataDescription& data) {
   const fs::path folder = fs::path(data.file).parent_path();
   std::vector<std::pair<std::string, fs::path>> files;
   for (const std::string& style : data.styles)
-    if (style.ends_with(".toml")) files.emplace_back("style " + fs::path(style).filename().string(), folder / style);
+    if (is_style_path(style)) files.emplace_back("style " + fs::path(style).filename().string(), folder / style);
   for (const DataBackground& picture : data.ground.pictures) {
     const char* kind = picture.is_environment ? "environment " : "picture ";
     files.emplace_back(kind + picture.file.filename().string(), picture.file);

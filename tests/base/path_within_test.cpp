@@ -66,6 +66,8 @@ TEST_F(PathWithin, files_are_found_beside_those_that_name_them) {
   EXPECT_EQ(found_beside(inner() / "set.toml", "here"), inner() / "here");
   EXPECT_FALSE(found_beside(inner() / "set.toml", "deep"));
   EXPECT_EQ(style_beside("sets/a.toml", "own/b.toml"), "sets/own/b.toml");
+  EXPECT_EQ(style_beside("sets/a.toml", "OWN.TOML"), "sets/OWN.TOML");
+  EXPECT_EQ(style_beside("sets/a.toml", "own/b"), "sets/own/b");
   EXPECT_EQ(style_beside("sets/a.toml", "ink"), "ink");
 }
 

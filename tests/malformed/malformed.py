@@ -2,7 +2,7 @@
 """Our own files, spoilt in ways that have a name, each given to the program: it must say what is wrong and where, end with
 the documented status, write nothing, and take no more than 2 seconds of the processor and 512 MB.
 
-    malformed.py PROGRAM                 all of them, some 2900: `make malformed`
+    malformed.py PROGRAM                 all of them, some 3000: `make malformed`
     malformed.py PROGRAM --every 12      each twelfth: part of the ordinary tests
     malformed.py PROGRAM --keep FOLDER   leaves the files there
 
