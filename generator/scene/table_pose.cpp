@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct CutSide {
   glm::dvec3 normal{0};
   double area = 0;
   bool flat = false;
+  std::int32_t cut = 0;  // number of the cut face
 };
 
 /// The directions of cut faces, largest first, at most eight. A ball's hollow faces where its rim does.
@@ -51,7 +53,8 @@ std::vector<CutSide> cut_sides(const Solid& solid) {
   std::vector<CutSide> sides;
   for (const auto& [index, of] : face) {
     const double facing = glm::length(of.first);
-    if (facing > 0.3 * of.second && facing > 0) sides.push_back({of.first / facing, facing, facing > 0.98 * of.second});
+    if (facing > 0.3 * of.second && facing > 0)
+      sides.push_back({of.first / facing, facing, facing > 0.98 * of.second, index});
   }
   std::stable_sort(sides.begin(), sides.end(), [](const CutSide& a, const CutSide& b) { return a.area > b.area; });
   constexpr std::size_t max = 8;
@@ -65,6 +68,20 @@ struct Rest {
   bool on_flat = false;   ///< on a flat cut face
   bool as_grown = false;  ///< it stands as it grew
 };
+
+/// The length of a cut face in one direction.
+double length_of_face(const Solid& solid, std::int32_t cut, const glm::dvec3& along) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    if (solid.mesh.cut_face[t] != cut) continue;
+    for (int corner = 0; corner < 3; ++corner) {
+      const double at = glm::dot(glm::dvec3(solid.mesh.position[solid.mesh.triangle[t][corner]]), along);
+      least = std::min(least, at);
+      most = std::max(most, at);
+    }
+  }
+  return std::max(0.0, most - least);
+}
 
 std::vector<Rest> ways_to_rest(const PieceOutline& outline, const std::vector<CutSide>& sides) {
   std::vector<Rest> ways;
@@ -154,10 +171,22 @@ class Chooser {
   }
 
  private:
-  /// Pieces that were bitten, cored or lost their tip; but not half a star fruit, whose cut is small, too.
+  /// Pieces that were bitten, cored or lost their tip; but not half a star fruit, whose cut is small, too, nor half a
+  /// cabbage, of which a knife meets the edges of leaves alone.
   bool is_hardly_cut() const {
-    const auto is_wide = [&](const CutSide& side) { return side.flat && side.area > 0.04 * areas_.skin(); };
+    const auto is_wide = [&](const CutSide& side) {
+      return side.flat && (side.area > 0.04 * areas_.skin() || goes_through(side));
+    };
     return areas_.cut() < 0.25 * areas_.skin() && std::none_of(sides_.begin(), sides_.end(), is_wide);
+  }
+
+  /// Whether a cut face is about as long and wide as the piece.
+  bool goes_through(const CutSide& side) const {
+    const glm::dvec3 along = level_direction(side.normal), across = glm::cross(side.normal, along);
+    const auto share = [&](const glm::dvec3& way) {
+      return length_of_face(solid_, side.cut, way) / (outline_.height(way) + outline_.height(-way));
+    };
+    return share(along) > 0.7 && share(across) > 0.7;
   }
 
   /// Upright; a piece that is long, or would stand on its root, lies down, unless it has a flat bottom.

@@ -98,6 +98,17 @@ TEST(LaidOut, AHalfShowsItsFaceHoweverSmall) {
   }
 }
 
+/// Of half an empty shell, as of half a cabbage, a knife meets edges alone.
+TEST(LaidOut, AHalfOfThinWallsLiesOnItsBack) {
+  const Scene halves = pieces_of(shapes::hollow_ball(0.03, 0.0295, 12), {"half"});
+  ASSERT_EQ(halves.solids.size(), 2u);
+  for (const Solid& solid : halves.solids) {
+    const SideAreas areas(solid);
+    EXPECT_LT(areas.cut(), 0.02 * areas.skin());
+    EXPECT_TRUE(table_pose(solid).on_back);
+  }
+}
+
 /// The round side of a peeled half is a cut face, too; the flat one must be shown.
 TEST(LaidOut, APeeledHalfShowsItsFlatFace) {
   const Scene table = laid_out(pieces_of(ball(), {"peel:2mm", "half"}));
