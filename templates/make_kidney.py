@@ -119,7 +119,7 @@ def along_ray(start, direction, field, level):
     return add(start, direction, low)
 
 
-# ---- Pyramids: nine cones from the cortex to their papillae ----
+# ---- Pyramids: nine cones in one fan, two before and behind its middle, from the cortex to their papillae ----
 
 CENTER = (10.0, MIDDLE, 0.0)  # from here the pyramids fan out
 FIRST, SPREAD = math.radians(64), math.radians(29)
@@ -132,9 +132,8 @@ def fan(angle, lean=0.0):
 
 
 class Pyramid:
-    def __init__(self, number):
-        angle = FIRST + SPREAD * number
-        self.axis = fan(angle, 0.03 if number % 2 else -0.03)
+    def __init__(self, axis, calyx, most_thick):
+        self.axis, self.calyx = axis, calyx
         self.tip = along_ray(CENTER, self.axis, sinus, -4.0)
         self.base = along_ray(add(self.tip, self.axis, 10.0), self.axis, bean, -7.0)
         to_base = sub(self.base, self.tip)
@@ -144,7 +143,7 @@ class Pyramid:
         widest = add(self.tip, self.axis, 0.8 * self.length)
         out = sub(widest, CENTER)
         self.wide = math.sqrt(dot(out, out)) * SPREAD / 2 - 1.2
-        self.thick = max(3.5, along_ray(widest, (0.0, 0.0, 1.0), bean, -4.5)[2] - abs(widest[2]))
+        self.thick = min(most_thick, max(3.5, along_ray(widest, (0.0, 0.0, 1.0), bean, -4.5)[2] - abs(widest[2])))
 
     def at(self, t, turn, share=1.0):
         r = ramp(PROFILE, t) * share
@@ -163,7 +162,19 @@ class Pyramid:
         return max(side, -t * self.length, (t - 1) * self.length)
 
 
-PYRAMIDS = [Pyramid(i) for i in range(9)]
+MIDDLE_ONE, ASIDE = 4, math.tan(math.radians(37))
+
+
+def all_pyramids():
+    """The fan, whose middle one leaves room for one before it and one behind: a cut across shows three."""
+    for number in range(9):
+        thick = 4.6 if number == MIDDLE_ONE else 99.0
+        yield Pyramid(fan(FIRST + SPREAD * number, 0.03 if number % 2 else -0.03), number // 3, thick)
+    for lean in (ASIDE, -ASIDE):
+        yield Pyramid(fan(FIRST + SPREAD * MIDDLE_ONE, lean), MIDDLE_ONE // 3, 4.6)
+
+
+PYRAMIDS = list(all_pyramids())
 
 
 def pyramids(p):
@@ -177,7 +188,8 @@ PELVIS = (14.0, 53.0, -1.0)
 URETER = [(20.0, 50.0, -2.0), (29.0, 45.0, -3.0), (37.0, 36.0, -4.0), (39.0, 14.0, -4.0)]
 ARTERY = [(16.0, 61.0, 3.0), (24.0, 61.5, 3.0), (46.0, 63.5, 3.0)]
 VEIN = [(16.0, 54.0, 6.5), (24.0, 54.5, 6.5), (46.0, 56.0, 6.5)]
-CUT_X, CUT_Y, FAT_X = 39.0, 20.0, 21.5  # where the vessels, the ureter and the fat end
+CUT_X, CUT_Y, FAT_X = 34.0, 20.0, 21.5  # where the vessels, the ureter and the fat end
+BLOOD_X = 30.5  # to here the vessels are full: open all along, a cut made a tuning fork of them
 
 
 def path(points, *radii):
@@ -188,14 +200,25 @@ def drainage(p):
     """The hollow: cups around the papillae, calyces, pelvis, ureter."""
     d = min(tube(p, path([PELVIS] + URETER, 3.4, 2.3, 1.8, 1.7, 1.7)),
             min(tube(p, [(m, 1.9), (PELVIS, 2.6)]) for m in CALYX))
-    for number, pyramid in enumerate(PYRAMIDS):
+    for pyramid in PYRAMIDS:
         neck = add(pyramid.tip, pyramid.axis, -2.2)
         if dot(sub(p, pyramid.tip), sub(p, pyramid.tip)) > 576:
             continue
-        d = smooth_min(d, tube(p, [(neck, 1.2), (CALYX[number // 3], 1.5)]), 1.0)
+        d = smooth_min(d, tube(p, [(neck, 1.2), (CALYX[pyramid.calyx], 1.5)]), 1.0)
         cup = tube(p, [(add(pyramid.tip, pyramid.axis, 1.2), 3.5), (neck, 1.6)])
         d = smooth_min(d, smooth_max(cup, 0.5 - pyramid.distance(p), 1.2), 1.5)
     return smooth_max(d, 0.3 - pyramids(p), 0.8)
+
+
+def place_at(points, x):
+    """Of a vessel's last stretch, the place there."""
+    a, b = points[-2:]
+    return mix(a, b, (x - a[0]) / (b[0] - a[0]))
+
+
+def open_end(points):
+    """Of a vessel, the stretch without blood."""
+    return [place_at(points, BLOOD_X), points[-1]]
 
 
 def vessel(p, points, radius):
@@ -205,15 +228,15 @@ def vessel(p, points, radius):
 def outside(p):
     """What faces air outside, each with its name, nearest first."""
     return [("capsule", bean(p)),
-            ("hilum", max(sinus(p), p[0] - FAT_X)),
+            ("hilum", smooth_max(sinus(p), p[0] - FAT_X, 5.0)),
             ("ureter", max(tube(p, path(URETER, 4.4, 3.8, 3.3, 3.3)), CUT_Y - p[1])),
             ("artery", vessel(p, ARTERY, 2.7)), ("vein", vessel(p, VEIN, 3.6))]
 
 
 def hollows(p):
     found = [("pelvis", drainage(p))] if sinus(p) < 8 or p[0] > 12 else []
-    return found + [("artery_hollow", tube(p, path(ARTERY[1:], 1.2))),
-                    ("vein_hollow", tube(p, path(VEIN[1:], 2.1)))]
+    return found + [("artery_hollow", tube(p, path(open_end(ARTERY), 1.2))),
+                    ("vein_hollow", tube(p, path(open_end(VEIN), 2.1)))]
 
 
 def solid(p):
@@ -560,6 +583,14 @@ def in_front_of_hollows(p, room):
     return p
 
 
+def add_blood(model):
+    """In the trunks, up to their open ends."""
+    for points, radius, name, wall, blood in ((ARTERY, 1.7, "artery", ARTERY_WALL, ARTERY_BLOOD),
+                                              (VEIN, 2.6, "vein", VEIN_WALL, VEIN_BLOOD)):
+        curve = [place_at(points, x) for x in (18.0, 24.0, 30.0, BLOOD_X - 0.6)]
+        add_tube(model, curve, [0.8 * radius, radius, radius, radius], name, lambda p, wall=wall: wall, blood, name, 12)
+
+
 def add_vessels(model):
     """From the hilum through the fat, in front of the calyces where these are in the way, into the columns between the
     pyramids, and over their bases."""
@@ -592,6 +623,7 @@ def main():
     add_sinus(model)
     for pyramid in PYRAMIDS:
         add_pyramid(model, pyramid)
+    add_blood(model)
     add_vessels(model)
     model.write(sys.argv[1])
     print(f"{len(model.vertices)} vertices, {len(model.faces)} faces")
