@@ -36,7 +36,6 @@ ACROSS = {
     "salami": "plane:1,0,0,0mm",
     "currants": "plane:0,1,0,26mm",  # through two berries, with seeds
     "garlic": "plane:0,1,0,18mm",  # through the green shoots of the cloves; half the height lies above them
-    "mushroom": "plane:0,1,0,32mm",  # through the gills; half the height lies below them
 }
 # Sizes in pixels. templates/README.md shows pictures as large as they are, README.md at GRID_SHOWN.
 ROW = 800, 240  # seeds side by side, at one scale
