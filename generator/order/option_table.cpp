@@ -213,9 +213,12 @@ std::vector<OrderOption> texture_options() {
        .makes_piece = true},
       {.name = "atlas",
        .value = choice_value<&Order::mesh, &MeshOrder::atlas>({"none", "piece", "file"}),
-       .help = "One material for each piece, or one for the whole file; and one atlas, where there are textures",
+       .usual = "none",
+       .help = "One material for each piece, as is usual with --engine godot, unreal and unity, or one for the whole "
+               "file; and one atlas, where there are textures",
        .takers = of_solids,
-       .heeded = glb_and_usda},
+       .heeded = glb_and_usda,
+       .makes_piece = true},
       {.name = "maps-dir",
        .value = TextValue{member_of<&Order::mesh, &MeshOrder::maps_dir>},
        .type = "FOLDER",
@@ -245,7 +248,7 @@ std::vector<OrderOption> mesh_options() {
        .help = ".glb: names as this engine's importer expects them, and shapes to collide with; for Blender levels "
                "side by side",
        .takers = of_solids,
-       .heeded = {Format::glb},
+       .heeded = glb_and_usda,
        .makes_piece = true},
       {.name = "compress",
        .value = choice_value<&Order::mesh, &MeshOrder::compress>({"none", "meshopt"}),

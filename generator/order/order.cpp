@@ -26,6 +26,11 @@ std::string drawn_style(const ColorOrder& color) { return color.style.empty() ? 
 
 std::string baked_style(const ColorOrder& color) { return color.style.empty() ? "photo" : color.style; }
 
+AtlasOf atlas_of(const MeshOrder& mesh) {
+  const bool draws = mesh.engine == Engine::godot || mesh.engine == Engine::unreal || mesh.engine == Engine::unity;
+  return mesh.atlas.value_or(draws ? AtlasOf::piece : AtlasOf::none);
+}
+
 std::optional<PictureSize> picture_size(const PictureOrder& picture) {
   if (!picture.size) return std::nullopt;
   const PictureExtent& size = *picture.size;

@@ -63,7 +63,7 @@ struct MeshOrder {
   int texture = 0;                             ///< texels along a texture's edge; 0 = colours on vertices
   TypedLength texel = {};                      ///< size of a texel, instead of `texture`
   Maps maps = Maps::all;                       ///< maps of textures
-  AtlasOf atlas = AtlasOf::none;               ///< .glb: what shares one material of textures
+  std::optional<AtlasOf> atlas = {};           ///< none: see atlas_of()
   std::string maps_dir = {};                   ///< folder for the textures as pictures, too; empty = none
   int lod = 0;                                 ///< further levels of detail, 0 to 6
   Engine engine = Engine::any;                 ///< for .glb only
@@ -128,6 +128,9 @@ bool wants_textures(const MeshOrder& mesh);
 /// for what is drawn and "photo" for what others light.
 std::string drawn_style(const ColorOrder& color);
 std::string baked_style(const ColorOrder& color);
+
+/// What shares one material: as ordered, else in engines each piece, because there a material is a draw call.
+AtlasOf atlas_of(const MeshOrder& mesh);
 
 struct PictureSize {
   int width = 0, height = 0;  ///< pixels

@@ -84,7 +84,7 @@ std::vector<std::unique_ptr<StreamedGlb>> streams_of(const Order& order, const D
   std::vector<std::unique_ptr<StreamedGlb>> streams;
   const bool needs_no_looks = all_are(order.outputs, {Format::glb, Format::json});
   // An atlas is made of all textures.
-  const bool needs_all = order.mesh.atlas == AtlasOf::file && wants_textures(order.mesh);
+  const bool needs_all = atlas_of(order.mesh) == AtlasOf::file && wants_textures(order.mesh);
   if (!order.mesh.maps_dir.empty() || !needs_no_looks || needs_all) return streams;
   StreamedGlbOptions stream{.exported = export_options(order, how), .lod = order.mesh.lod, .bake = bake_options(order)};
   if (stream.bake) stream.exported.style = how.texture_style;

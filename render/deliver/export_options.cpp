@@ -20,13 +20,13 @@ ExportOptions export_options(const Order& order, const DeliverOptions& how) {
           .up = order.mesh.up,
           .hulls = order.mesh.hulls,
           .welded = order.mesh.welded,
-          .atlas = order.mesh.atlas};
+          .atlas = atlas_of(order.mesh)};
 }
 
 std::optional<BakeOptions> bake_options(const Order& order) {
   if (!wants_textures(order.mesh)) return {};
   // Maps are for .glb; and for .usda where they take the place of materials.
-  const bool has_atlas = order.mesh.atlas != AtlasOf::none;
+  const bool has_atlas = atlas_of(order.mesh) != AtlasOf::none;
   const bool takes_maps = any_is(order.outputs, {Format::glb}) || (has_atlas && any_is(order.outputs, {Format::usda}));
   const bool has_maps = order.mesh.maps == Maps::all && takes_maps;
   BakeOptions how{.texel = order.mesh.texel.metres,

@@ -151,7 +151,7 @@ Delivered glb_files(const Output& output, const SceneViews& scene, const ReadyMe
     });
     return delivered;
   }
-  if (order.mesh.atlas == AtlasOf::file) {
+  if (atlas_of(order.mesh) == AtlasOf::file) {
     const ReadyMeshes paged = delivered.times.time("bake", [&] { return on_one_atlas(ready); });
     return textured_glb(output, scene, paged, order, options, std::move(delivered));
   }
@@ -165,7 +165,7 @@ Delivered usda_files(const Output& output, const Scene& scene, const ReadyMeshes
   const std::string stem = output.file.stem().string();
   UsdaFiles made = delivered.times.time("write", [&] {
     if (!wants_textures(order.mesh)) return write_usda(scene, stem, options, ready.levels);
-    const bool is_one = order.mesh.atlas == AtlasOf::file;
+    const bool is_one = atlas_of(order.mesh) == AtlasOf::file;
     const ReadyMeshes paged = is_one ? on_one_atlas(ready) : ReadyMeshes{};
     const ReadyMeshes& meshes = is_one ? paged : ready;
     return write_usda(scene, meshes.baked, stem, options, meshes.coarser, meshes.variants);

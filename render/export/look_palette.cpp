@@ -51,7 +51,7 @@ glm::vec2 LookPalette::place_of(const PbrMaterial& look) {
   const auto [at, is_new] = known_.try_emplace(told, looks_.size());
   if (is_new) looks_.push_back(told);
   if (looks_.size() > static_cast<std::size_t>(in_row) * in_row)
-    throw Error(ExitStatus::bad_data, "more looks than one palette holds", "leave out --atlas");
+    throw Error(ExitStatus::bad_data, "more looks than one palette holds", "--atlas none gives each a material");
   const auto middle = [](std::size_t number) {
     return (static_cast<float>(number) + 0.5f) * static_cast<float>(block) / static_cast<float>(side);
   };

@@ -41,6 +41,22 @@ TEST(Command, NamesTheStyleAsSeenFromWhereItIsTyped) {
   EXPECT_EQ(piece_words(order), " --style looks/mine.toml");
 }
 
+/// There each material is a draw call.
+TEST(Order, PiecesHaveOneMaterialForEngines) {
+  Order order;
+  EXPECT_EQ(atlas_of(order.mesh), AtlasOf::none);
+  for (const Engine engine : {Engine::godot, Engine::unreal, Engine::unity}) {
+    order.mesh.engine = engine;
+    EXPECT_EQ(atlas_of(order.mesh), AtlasOf::piece);
+  }
+  EXPECT_EQ(piece_words(order), " --engine unity") << "the same for the one who types it";
+  order.mesh.atlas = AtlasOf::none;
+  EXPECT_EQ(atlas_of(order.mesh), AtlasOf::none);
+  EXPECT_EQ(piece_words(order), " --atlas none --engine unity");
+  order.mesh = {.engine = Engine::blender};
+  EXPECT_EQ(atlas_of(order.mesh), AtlasOf::none);
+}
+
 TEST(Command, OfNobodyKnowsWhatIsNoCommand) {
   EXPECT_EQ(command_for({}, "x.glb"), "");
   EXPECT_EQ(command_for({.source = "kiwi"}, "x.glb"), "") << "which piece?";

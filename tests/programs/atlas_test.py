@@ -1,5 +1,5 @@
 """Files of one scene whose textures and materials are shared by nobody, by a piece, by all pieces: the same triangles in
-fewer draw calls; with textures, and with colours of vertices.   atlas_test.py FOLDER"""
+fewer draw calls; with textures, and with colours of vertices; for engines.   atlas_test.py FOLDER"""
 
 import pathlib
 import sys
@@ -54,6 +54,16 @@ class Looks(Atlas):
             for mesh, joined in zip(self.files["none"].json["meshes"], self.files[name].json["meshes"]):
                 self.assertEqual(mesh["extras"]["parts"], joined["extras"]["parts"])
                 self.assertEqual(len(self.files["none"].triangles(mesh)), len(self.files[name].triangles(joined)))
+
+
+class Engines(unittest.TestCase):
+    def test_draw_a_piece_once_unless_light_goes_straight_through(self):
+        for name in ("small-godot", "small-unreal", "small-crate"):
+            glb = Glb(FOLDER / f"{name}.glb")
+            drawn = [mesh["primitives"] for mesh in glb.json["meshes"] if "material" in mesh["primitives"][0]]
+            self.assertGreater(len(drawn), 1)
+            self.assertLessEqual(max(map(len, drawn)), 2, name)
+            self.assertLess(sum(map(len, drawn)), 1.2 * len(drawn), name)
 
 
 if __name__ == "__main__":
