@@ -22,6 +22,7 @@ function parsed(lines) {
     path: '',
     schemas: [],
     references: [],
+    inherits: [],
     fields: new Map(),
     children: [],
     parent: null
@@ -31,6 +32,7 @@ function parsed(lines) {
     for (const [, list] of words.matchAll(/apiSchemas = \[(.*?)\]/g))
       prim.schemas.push(...list.match(/"[^"]*"/g).map((one) => one.slice(1, -1)));
     for (const [, path] of words.matchAll(/references = <([^>]*)>/g)) prim.references.push(path);
+    for (const [, path] of words.matchAll(/inherits = <([^>]*)>/g)) prim.inherits.push(path);
   };
   for (const line of lines.slice(lines.findIndex((one) => one === ')') + 1)) {
     const words = line.trim();
@@ -48,6 +50,7 @@ function parsed(lines) {
         path: `${open.path}/${head[3]}`,
         schemas: [],
         references: [],
+        inherits: [],
         fields: new Map(),
         children: [],
         parent: open
@@ -76,6 +79,9 @@ const all = [];
 })(root);
 const roots = root.children.filter((prim) => prim.kind !== 'class');
 const at = new Map(all.map((prim) => [prim.path, prim]));
+// What a piece inherits is composed with what it refers to.
+for (const heir of all)
+  for (const child of heir.inherits.flatMap((path) => at.get(path).children)) child.parent = at.get(heir.references[0]);
 const header = lines.slice(0, lines.indexOf(')')).join('\n');
 const applies = (prim, schema) => prim.schemas.includes(schema);
 const numbers = (prim, field) =>
@@ -118,7 +124,8 @@ const rules = {
   'AA.001': () => assets.filter((path) => !path.startsWith('./') && !path.startsWith('../')),
   'AA.002': () => assets.filter((path) => !/\.(png|jpg|jpeg|exr|usd|usda|usdc)$/.test(path)),
   'HI.011': () => all.slice(1).filter(
-    (prim) => prim.kind === 'over' && !ancestors(prim).some((one) => one.type === 'Material' || one.name === 'Looks')),
+    (prim) => prim.kind === 'over' && !ancestors(prim).some((one) => one.type === 'Material' || one.name === 'Looks') &&
+      !prim.parent.children.some((one) => one.kind === 'def' && one.name === prim.name)),
   'UN.001': () => /upAxis = "[YZ]"/.test(header) ? [] : ['no axis is up'],
   'UN.006': () => header.includes('upAxis = "Z"') ? [] : ['Z is not up'],
   'UN.007': () => header.includes('metersPerUnit = 1\n') ? [] : ['not in metres'],

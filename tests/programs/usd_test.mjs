@@ -61,14 +61,20 @@ for (const node of shown) {
     [0, 1, 2].forEach(
       (k) => assert(Math.abs(place[12 + k] - (node.translation?.[k] ?? 0)) < 1e-6, `${node.name} lies elsewhere`));
 }
-const meshes = new Map();
+const meshes = new Map(), shapes = new Set();
 for (let i = 0; i < layer.numMeshes(); ++i) {
   // Its arrays lie in memory that moves when it grows.
   const {absPath, points, faceVertexIndices} = layer.getMesh(i);
-  meshes.set(absPath, {points: points.slice(), corners: faceVertexIndices.length});
+  const [, name] = /^\/Pieces\/(\w+)\/hull_1$/.exec(absPath) ?? [];
+  if (name) shapes.add(name);  // what neighbours have left of a piece's hull: nobody draws it
+  else meshes.set(absPath, {points: points.slice(), corners: faceVertexIndices.length});
 }
 const placed = [...meshes.keys()].filter((path) => path.startsWith('/Scene/'));
 assert.equal(placed.length, shown.length, 'a mesh for each instance');
+// It composes no children of what is inherited, but finds the classes.
+const inherited = [...text.matchAll(/prepend inherits = <\/Pieces\/(\w+)>/g)].map(([, name]) => name);
+assert(inherited.length > 0);
+assert.deepEqual(inherited.toSorted(), [...shapes].toSorted(), 'shapes of those that lie close');
 for (const path of placed) {
   const name = path.split('/').at(-2);
   const node = shown.find((one) => plain(one.name) === name);
@@ -103,7 +109,8 @@ const withLevels = readFileSync(levelsFile, 'utf8');
 const trianglesAt = (level) => {
   const chosen = composed(withLevels.replaceAll('string LOD = "LOD0"', `string LOD = "${level}"`));
   assert(chosen.composeVariants(), chosen.error());
-  const counts = chosen.layerToString().match(/faceVertexCounts = \[.*?\]/g);
+  const drawn = chosen.layerToString().replaceAll(/def Mesh "hull_\d+"[^{]*\{[^}]*\}/g, '');
+  const counts = drawn.match(/faceVertexCounts = \[.*?\]/g);
   assert.equal(counts.length, meshes.size, 'one level each');
   return counts.reduce((sum, list) => sum + list.split(',').length, 0);
 };

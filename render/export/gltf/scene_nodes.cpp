@@ -50,14 +50,15 @@ class NodeWriter {
   NodeWriter(GltfDocument& document, const ExportOptions& options) : document_(document), options_(options) {}
 
   /// The index of the node; its levels and its hull are added with it.
-  int add(const PlacedSolid& placed, const SolidMeshes& solid);
+  /// \param hulls it collides with.
+  int add(const PlacedSolid& placed, const SolidMeshes& solid, std::span<const int> hulls);
 
   /// After all: groups of coarser levels that lie beside each other; none but for Blender.
   Json added_levels_beside();
 
  private:
   Json where(const PlacedSolid& placed, const glm::vec3& pivot);
-  void add_shapes(Json& node, const SolidMeshes& solid);
+  void add_shapes(Json& node, const SolidMeshes& solid, std::span<const int> hulls);
   void add_levels(Json& node, const PlacedSolid& placed, const SolidMeshes& solid, const Json& where);
 
   GltfDocument& document_;
@@ -136,17 +137,17 @@ void NodeWriter::add_levels(Json& node, const PlacedSolid& placed, const SolidMe
 }
 
 /// Children that importers take for shapes to collide with.
-void NodeWriter::add_shapes(Json& node, const SolidMeshes& solid) {
+void NodeWriter::add_shapes(Json& node, const SolidMeshes& solid, std::span<const int> hulls) {
   const auto add = [&](const std::string& name, int mesh) {
     node["children"].push_back(document_.add("nodes", {{"name", name}, {"mesh", mesh}}));
   };
   const std::string name = node["name"];
-  for (std::size_t part = 0; part < solid.hulls.size(); ++part)
-    add(hull_name(options_.engine, name, part, solid.hulls.size()), solid.hulls[part]);
+  for (std::size_t part = 0; part < hulls.size(); ++part)
+    add(hull_name(options_.engine, name, part, hulls.size()), hulls[part]);
   if (solid.collides_by_triangles) add(triangles_name(options_.engine, name), solid.meshes.front());
 }
 
-int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid) {
+int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid, std::span<const int> hulls) {
   const std::string name = engine_name(options_.engine, placed.name);
   Json node = {{"name", level_name(options_.engine, name, 0, solid.meshes.size())}, {"mesh", solid.meshes.front()}};
   const Json place = where(placed, solid.pivot);
@@ -160,7 +161,7 @@ int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid) {
   if (placed.instances.size() > 1) {
     for (const Instance* instance : placed.instances) node["extras"]["instances"].push_back(instance->name);
   }
-  add_shapes(node, solid);
+  add_shapes(node, solid, hulls);
   return document_.add("nodes", std::move(node));
 }
 
@@ -207,14 +208,16 @@ int add_camera(GltfDocument& document, const View& view) {
 }  // namespace
 
 void add_nodes(GltfDocument& document, const Scene& scene, std::span<const SolidMeshes> solids,
-               const ExportOptions& options) {
+               std::span<const std::vector<int>> own_hulls, const ExportOptions& options) {
   NodeWriter writer(document, options);
   std::vector<int> nodes;
   std::vector<PiecePath> paths;
   for (const PlacedSolid& placed : placed_solids(scene, options.instances)) {
     const auto solid = static_cast<std::size_t>(placed.instances.front()->solid);
     if (solids[solid].meshes.empty()) continue;
-    nodes.push_back(writer.add(placed, solids[solid]));
+    const std::vector<int>& own =
+        own_hulls[static_cast<std::size_t>(placed.instances.front() - scene.instances.data())];
+    nodes.push_back(writer.add(placed, solids[solid], own.empty() ? solids[solid].hulls : own));
     paths.push_back({scene.solids[solid].origin.entry, scene.solids[solid].origin.variant});
   }
   Json roots = added_groups(document, grouped(paths), nodes, options.engine);

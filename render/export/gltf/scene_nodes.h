@@ -23,7 +23,8 @@ struct SolidMeshes {
 /// A node per instance or, where options.instances says so, one for all instances of a solid
 /// (EXT_mesh_gpu_instancing). Above them a node for each entry of a scene and each fruit that has several pieces;
 /// beside them the camera.
+/// \param own_hulls of each instance, meshes to collide with in place of the solid's; or none.
 void add_nodes(GltfDocument& document, const Scene& scene, std::span<const SolidMeshes> solids,
-               const ExportOptions& options);
+               std::span<const std::vector<int>> own_hulls, const ExportOptions& options);
 
 }  // namespace pomona::gltf

@@ -7,6 +7,7 @@
 
 #include "generator/base/error.h"
 #include "render/export/collision/collision_shape.h"
+#include "render/export/collision/settled_hulls.h"
 #include "render/export/gltf/engine_names.h"
 #include "render/export/gltf/gltf_document.h"
 #include "render/export/gltf/piece_materials.h"
@@ -50,6 +51,9 @@ class GlbStream::Writer {
 
  private:
   void add_shapes(const Solid& solid, const std::string& mesh_name);
+  std::vector<int> hull_meshes(const std::vector<ConvexHull>& parts, const glm::vec3& pivot,
+                               const std::string& mesh_name);
+  std::vector<std::vector<int>> settled_shapes(const Scene& scene);
 
   ExportOptions options_;
   GltfDocument document_;
@@ -58,10 +62,16 @@ class GlbStream::Writer {
   std::string name_;  ///< name of the current solid
   std::size_t levels_ = 0;
   std::vector<int> variant_textures_;
+
+  // Of each solid: what it collides with, and the name of its mesh if hulls are to be added when all poses are known.
+  std::vector<std::vector<ConvexHull>> parts_;
+  std::vector<std::string> waiting_;
 };
 
 void GlbStream::Writer::begin(const Solid& solid, std::size_t levels) {
   solids_.push_back({.meshes = {}, .scales = {}, .hulls = {}, .pivot = pivot_of(solid)});
+  parts_.emplace_back();
+  waiting_.emplace_back();
   name_ = engine_name(options_.engine, solid.name);
   levels_ = levels;
 }
@@ -98,28 +108,59 @@ void GlbStream::Writer::name_variants(std::span<const TextureVariant> variants) 
   document_.extend("KHR_materials_variants", {{"variants", std::move(names)}});
 }
 
-/// What the current solid collides with, where the engine's importer takes it from the file.
+/// What the current solid collides with, where the engine's importer takes it from the file. Pieces of a scene wait:
+/// neighbours may leave less room.
 void GlbStream::Writer::add_shapes(const Solid& solid, const std::string& mesh_name) {
   SolidMeshes& made = solids_.back();
   if (hull_name(options_.engine, mesh_name, 0, 1).empty()) return;
-  const bool takes_triangles = !triangles_name(options_.engine, mesh_name).empty();
-  const std::vector<ConvexHull> parts =
-      collision_parts(solid, options_.hulls, takes_triangles ? StillShape::triangles : StillShape::parts);
-  made.collides_by_triangles = parts.empty() && takes_triangles && !is_fruit(solid);
+  const bool by_triangles = !is_fruit(solid) && !triangles_name(options_.engine, mesh_name).empty();
+  parts_.back() = collision_parts(solid, options_.hulls, StillShape::parts);
+  made.collides_by_triangles = by_triangles;
+  if (!by_triangles) waiting_.back() = mesh_name;
+  if (waiting_.back().empty() || !solid.origin.entry.empty()) return;
+  made.hulls = hull_meshes(parts_.back(), made.pivot, mesh_name);
+  waiting_.back().clear();
+}
+
+std::vector<int> GlbStream::Writer::hull_meshes(const std::vector<ConvexHull>& parts, const glm::vec3& pivot,
+                                                const std::string& mesh_name) {
+  std::vector<int> meshes;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     std::vector<glm::vec3> position = parts[part].position;
-    for (glm::vec3& p : position) p -= made.pivot;
+    for (glm::vec3& p : position) p -= pivot;
     Json primitive = {{"attributes", {{"POSITION", add_positions(document_, position)}}}};
     primitive["indices"] = add_triangles(document_, parts[part].triangle, position.size());
-    made.hulls.push_back(document_.add("meshes", {{"name", hull_name(options_.engine, mesh_name, part, parts.size())},
-                                                  {"primitives", Json::array({std::move(primitive)})}}));
+    meshes.push_back(document_.add("meshes", {{"name", hull_name(options_.engine, mesh_name, part, parts.size())},
+                                              {"primitives", Json::array({std::move(primitive)})}}));
   }
+  return meshes;
+}
+
+/// Meshes of the shapes of instances that neighbours leave less room; others have those of their solid, which are added
+/// now. Unreal's shapes belong to a mesh, Godot's to a node.
+std::vector<std::vector<int>> GlbStream::Writer::settled_shapes(const Scene& scene) {
+  const bool of_mesh = options_.engine == Engine::unreal;
+  const std::vector<std::vector<ConvexHull>> hulls =
+      settled_hulls(scene, parts_, of_mesh ? CopiesShare::mesh_and_shapes : CopiesShare::mesh, options_.threads);
+  std::vector<std::vector<int>> own(scene.instances.size());
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const auto number = static_cast<std::size_t>(scene.instances[i].solid);
+    SolidMeshes& solid = solids_[number];
+    if (waiting_[number].empty()) continue;
+    if (!hulls[i].empty()) {
+      const std::string name = engine_name(options_.engine, scene.instances[i].name);
+      own[i] = hull_meshes(hulls[i], solid.pivot, of_mesh ? waiting_[number] : name);
+    } else if (solid.hulls.empty()) {
+      solid.hulls = hull_meshes(parts_[number], solid.pivot, waiting_[number]);
+    }
+  }
+  return own;
 }
 
 std::string GlbStream::Writer::finished(const Scene& scene) {
   if (scene.solids.size() != solids_.size()) throw Error(ExitStatus::bug, "a .glb lacks some of the scene's solids");
   materials_.finish();
-  add_nodes(document_, scene, solids_, options_);
+  add_nodes(document_, scene, solids_, settled_shapes(scene), options_);
   if (!options_.provenance.empty()) document_.scene()["extras"] = {{"provenance", options_.provenance}};
   return std::move(document_).bytes();
 }

@@ -98,6 +98,11 @@ std::string largest_look(const StyledLevel& level, const std::vector<Subset>& by
   return most->name.substr(std::string("look_").size());
 }
 
+/// The look that its shapes rub by.
+std::string look_of_shapes(const StyledLevel& level, Looks& looks) {
+  return largest_look(level, subsets_by_material(level, 0, looks), looks);
+}
+
 void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const glm::vec3& pivot) {
   const auto line = [&](const std::string& words) { append_line(text, indent, words); };
   std::vector<glm::vec3> points = mesh.position;
@@ -269,8 +274,7 @@ void append_meshes(std::string& text, std::span<const StyledLevel> levels, const
   std::vector<ConvexHull> parts;
   if (is_fruit(solid) && hulls > 1) parts = collision_parts(solid, hulls, StillShape::triangles);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    append_hull(text, "hull_" + std::to_string(i + 1), parts[i], pivot,
-                largest_look(levels.front(), subsets_by_material(levels.front(), 0, looks), looks));
+    append_hull(text, "hull_" + std::to_string(i + 1), parts[i], pivot, look_of_shapes(levels.front(), looks));
   }
   const Approximation approximation = !parts.empty()    ? Approximation::separate_hulls
                                       : is_fruit(solid) ? Approximation::convex_hull
@@ -298,6 +302,24 @@ void append_inertia(std::string& text, const glm::dmat3& inertia) {
 }
 
 }  // namespace
+
+std::string settled_text(const std::string& name, const StyledLevel& level, std::span<const ConvexHull> parts,
+                         Looks& looks, const ExportOptions& options) {
+  std::string text;
+  append_line(text, 1, "class \"" + name + "\"");
+  append_line(text, 1, "{");
+  if (options.hulls <= 1) {
+    append_line(text, 2, "over \"mesh\"");
+    append_line(text, 2, "{");
+    append_line(text, 2, "    bool physics:collisionEnabled = 0");
+    append_line(text, 2, "}");
+  }
+  const std::string look = look_of_shapes(level, looks);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    append_hull(text, "hull_" + std::to_string(i + 1), parts[i], pivot_of(level.solid), look);
+  append_line(text, 1, "}");
+  return text;
+}
 
 std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
                        const ExportOptions& options, std::span<const TextureChoice> choices) {

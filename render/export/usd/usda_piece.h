@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/export/convex_hull.h"
 #include "render/export/styled_mesh.h"
 #include "render/export/usd/usda_material.h"
 
@@ -28,5 +29,10 @@ struct StyledLevel {
 /// \param choices of textures for the solid, as the variant set "ripeness", the first selected; or none.
 std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
                        const ExportOptions& options, std::span<const TextureChoice> choices = {});
+
+/// A class for one that lies where neighbours leave less room than its piece's hulls take: who inherits it, and refers
+/// to the piece, collides by these parts. \param level the solid, whose looks are known.
+std::string settled_text(const std::string& name, const StyledLevel& level, std::span<const ConvexHull> parts,
+                         Looks& looks, const ExportOptions& options);
 
 }  // namespace pomona::usd

@@ -9,6 +9,8 @@
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/utf8.h"
+#include "render/export/collision/collision_shape.h"
+#include "render/export/collision/settled_hulls.h"
 #include "render/export/look_palette.h"
 #include "render/export/piece_groups.h"
 #include "render/export/piece_words.h"
@@ -32,26 +34,70 @@ glm::dquat unit(const glm::dquat& q) {
   return length > 0 ? q / length : glm::dquat(1, 0, 0, 0);
 }
 
+/// The shapes of instances that neighbours leave less room than their solids' take.
+struct SettledShapes {
+  std::vector<std::vector<ConvexHull>> hulls;               ///< per instance
+  std::vector<std::vector<std::size_t>> instances_of = {};  ///< of each solid, those that have some
+};
+
 /// The solids' class prims and their names; none for a solid without triangles.
 struct Pieces {
   std::vector<std::string> name;  ///< per solid
   std::string text;
   Looks looks;
   LookPalette palette = {};  ///< of colours in vertices, where looks share a material
+  PrimNames names = {};      ///< of all classes
+  SettledShapes settled = {};
+  std::vector<std::string> own_name = {};  ///< per instance, of the class with its own shapes; else empty
 };
+
+/// Pieces that welds join, and those of an instancer, have the shapes of their solids.
+SettledShapes settled_shapes(const Scene& scene, const ExportOptions& options) {
+  SettledShapes settled{std::vector<std::vector<ConvexHull>>(scene.instances.size()),
+                        std::vector<std::vector<std::size_t>>(scene.solids.size())};
+  if (options.welded || options.instances || !is_settled(scene)) return settled;
+  std::vector<std::vector<ConvexHull>> parts(scene.solids.size());
+  parallel_for(scene.solids.size(), options.threads,
+               [&](std::size_t i) { parts[i] = collision_parts(scene.solids[i], options.hulls, StillShape::parts); });
+  settled.hulls = settled_hulls(scene, parts, CopiesShare::mesh, options.threads);
+  for (std::size_t i = 0; i < settled.hulls.size(); ++i)
+    if (!settled.hulls[i].empty())
+      settled.instances_of[static_cast<std::size_t>(scene.instances[i].solid)].push_back(i);
+  return settled;
+}
+
+/// What pieces of the scene begin with.
+Pieces begun_pieces(const Scene& scene, const ExportOptions& options) {
+  Pieces pieces;
+  pieces.settled = settled_shapes(scene, options);
+  pieces.own_name.resize(scene.instances.size());
+  return pieces;
+}
+
+/// The class of a solid, and those of its instances that have shapes of their own.
+void add_text(Pieces& pieces, std::size_t number, std::span<const StyledLevel> levels, const ExportOptions& options,
+              std::span<const TextureChoice> choices = {}) {
+  const std::string& name = pieces.name[number];
+  pieces.text += piece_text(name, levels, pieces.looks, options, choices);
+  for (const std::size_t instance : pieces.settled.instances_of[number]) {
+    pieces.own_name[instance] = pieces.names.name_for(name + "_settled");
+    pieces.text +=
+        settled_text(pieces.own_name[instance], levels.front(), pieces.settled.hulls[instance], pieces.looks, options);
+  }
+}
 
 /// A level whose looks stand on the palette.
 MeshOnPalette on_palette_of(Pieces& pieces, const Solid& solid, const StyledMesh& mesh) {
   return on_palette(mesh, groups_by_material(solid, mesh), pieces.palette);
 }
 
-void add_piece(Pieces& pieces, const std::string& name, const Solid& solid, const StyledMesh& mesh,
+void add_piece(Pieces& pieces, std::size_t number, const Solid& solid, const StyledMesh& mesh,
                std::span<const Solid> coarser, const ExportOptions& options) {
   const std::vector<StyledMesh> styled = styled_meshes(coarser, options);
   std::vector<StyledLevel> levels{{solid, mesh}};
   for (std::size_t level = 0; level < coarser.size(); ++level) levels.push_back({coarser[level], styled[level]});
   if (options.atlas == AtlasOf::none) {
-    pieces.text += piece_text(name, levels, pieces.looks, options);
+    add_text(pieces, number, levels, options);
     return;
   }
   std::vector<MeshOnPalette> placed;
@@ -64,23 +110,22 @@ void add_piece(Pieces& pieces, const std::string& name, const Solid& solid, cons
                       .in_maps = std::move(placed[level].groups),
                       .material = options.atlas == AtlasOf::file ? "looks" : of});
   }
-  pieces.text += piece_text(name, joined, pieces.looks, options);
+  add_text(pieces, number, joined, options);
 }
 
 Pieces pieces_of(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
-  Pieces pieces;
+  Pieces pieces = begun_pieces(scene, options);
   pieces.name.resize(scene.solids.size());
-  PrimNames names;
   const std::span<const Solid> solids = scene.solids;
   for (std::size_t first = 0; first < solids.size(); first += meshes_at_once) {
     const std::size_t count = std::min(meshes_at_once, solids.size() - first);
     const std::vector<StyledMesh> styled = styled_meshes(solids.subspan(first, count), options);
     for (std::size_t i = first; i < first + count; ++i) {
       if (styled[i - first].triangle.empty()) continue;
-      pieces.name[i] = names.name_for(solids[i].name);
+      pieces.name[i] = pieces.names.name_for(solids[i].name);
       const std::span<const Solid> coarser =
           i < levels.size() ? std::span<const Solid>(levels[i]) : std::span<const Solid>();
-      add_piece(pieces, pieces.name[i], solids[i], styled[i - first], coarser, options);
+      add_piece(pieces, i, solids[i], styled[i - first], coarser, options);
     }
   }
   return pieces;
@@ -89,7 +134,8 @@ Pieces pieces_of(const Scene& scene, const ExportOptions& options, std::span<con
 /// Pieces with textures, and the textures as files.
 class TexturedPieces {
  public:
-  TexturedPieces(const std::string& stem, const ExportOptions& options) : stem_(as_utf8(stem)), options_(options) {}
+  TexturedPieces(const Scene& scene, const std::string& stem, const ExportOptions& options)
+      : pieces(begun_pieces(scene, options)), stem_(as_utf8(stem)), options_(options) {}
 
   void add(const BakedSolid& solid, std::span<const BakedSolid> coarser, std::span<const TextureVariant> variants,
            std::size_t number);
@@ -106,7 +152,6 @@ class TexturedPieces {
 
   std::string stem_;
   const ExportOptions& options_;
-  PrimNames names_;
   std::map<const TexturePage*, std::string> colors_of_page_;
   std::map<const TexturePage*, MapFiles> maps_of_page_;
 };
@@ -131,7 +176,7 @@ std::string TexturedPieces::added_texture(const std::string& what, const BakedSo
   };
   if (!baked.page) return add(what, baked.texture);
   std::string& known = colors_of_page_[baked.page.get()];
-  if (known.empty()) known = add(names_.name_for(baked.page->name), baked.page->texture);
+  if (known.empty()) known = add(pieces.names.name_for(baked.page->name), baked.page->texture);
   return known;
 }
 
@@ -157,7 +202,7 @@ void TexturedPieces::add(const BakedSolid& solid, std::span<const BakedSolid> co
                          std::span<const TextureVariant> variants, std::size_t number) {
   pieces.name.emplace_back();
   if (solid.solid.mesh.triangle.empty()) return;
-  const std::string& name = pieces.name.back() = names_.name_for(solid.solid.name);
+  const std::string& name = pieces.name.back() = pieces.names.name_for(solid.solid.name);
   std::vector<StyledMesh> meshes{textured_mesh(solid)};
   for (const BakedSolid& level : coarser) meshes.push_back(textured_mesh(level));
   std::vector<StyledLevel> levels{level_of(solid, meshes[0], name)};
@@ -173,7 +218,7 @@ void TexturedPieces::add(const BakedSolid& solid, std::span<const BakedSolid> co
     const std::string called = of_variants.name_for(variant.name);
     choices.push_back({called, added_texture(name + "_" + called, other)});
   }
-  pieces.text += piece_text(name, levels, pieces.looks, options_, choices);
+  add_text(pieces, number, levels, options_, choices);
 }
 
 std::string indented(int indent) { return std::string(static_cast<std::size_t>(4 * indent), ' '); }
@@ -224,6 +269,9 @@ std::string InstancePrims::instance_text(const Instance& instance, const std::st
   std::string text = in + "def Xform \"" + name + "\" (\n";
   text += in + "    displayName = " + quoted(instance.name) + "\n";
   text += in + "    instanceable = true\n";
+  const std::string& own = pieces_.own_name[static_cast<std::size_t>(&instance - scene_.instances.data())];
+  // What it inherits is stronger than what it refers to; readers that know references alone take the piece's own shape.
+  if (!own.empty()) text += in + "    prepend inherits = </Pieces/" + own + ">\n";
   text += in + "    prepend references = </Pieces/" + pieces_.name[static_cast<std::size_t>(instance.solid)] + ">\n" +
           in + ")\n" + in + "{\n";
   text += in + "    double3 xformOp:translate = " + exact_tuple(place_of(instance, scene_, up_)) + "\n";
@@ -366,7 +414,7 @@ UsdaFiles write_usda(const Scene& scene, const std::string& stem, const ExportOp
 UsdaFiles write_usda(const Scene& scene, std::span<const BakedSolid> baked, const std::string& stem,
                      const ExportOptions& options, std::span<const std::vector<BakedSolid>> levels,
                      std::span<const TextureVariant> variants) {
-  TexturedPieces made(stem, options);
+  TexturedPieces made(scene, stem, options);
   for (std::size_t i = 0; i < baked.size(); ++i) {
     const std::span<const BakedSolid> coarser =
         i < levels.size() ? std::span<const BakedSolid>(levels[i]) : std::span<const BakedSolid>();

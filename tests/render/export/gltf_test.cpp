@@ -418,6 +418,24 @@ TEST(Gltf, DishesCollideByTheirTrianglesOrByParts) {
   EXPECT_THAT(names_of(unreal["nodes"]), testing::Contains("UCX_" + scene.instances[0].name + "_00"));
 }
 
+TEST(Gltf, ShapesOfSettledPiecesLeaveRoomForEachOther) {
+  const Json godot = parsed(write_glb(named::settled_balls(), {.engine = Engine::godot}));
+  const auto low_and_high = [&](const char* name) {
+    const Json hull = godot["meshes"][node_called(godot, name)["mesh"].get<int>()];
+    const Json position = godot["accessors"][hull["primitives"][0]["attributes"]["POSITION"].get<int>()];
+    return std::pair(position["min"][0].get<double>(), position["max"][0].get<double>());
+  };
+  for (const auto& [left, right] :
+       {std::pair("ball-1-convcolonly", "ball-2-convcolonly"), std::pair("ball-3-convcolonly", "ball-4-convcolonly")}) {
+    EXPECT_LE(low_and_high(left).second, 0.018 + low_and_high(right).first + 1e-4);
+    EXPECT_NEAR(low_and_high(left).first, -0.01, 1e-6);
+  }
+  EXPECT_EQ(godot["meshes"].size(), 7u) << "none is there in vain";
+  const Json unreal = parsed(write_glb(named::settled_balls(), {.engine = Engine::unreal}));
+  EXPECT_EQ(node_called(unreal, "UCX_ball-3_00")["mesh"], node_called(unreal, "UCX_ball-4_00")["mesh"]);
+  EXPECT_EQ(unreal["meshes"].size(), 6u) << "a shape belongs to a mesh";
+}
+
 TEST(Gltf, ForBlenderLevelsLieSideBySide) {
   const Scene scene = grouped_boxes();
   std::vector<std::vector<Solid>> levels(scene.solids.size());

@@ -1,5 +1,6 @@
 #include "tests/render/export/named_solids.h"
 
+#include <algorithm>
 #include <array>
 
 #include <glm/geometric.hpp>
@@ -148,6 +149,21 @@ Scene mixed() {
                      {2, {}, "nothing"},
                      {3, {{1, 0, 0, 0}, {-0.1, 0, 0}}, "see-through"}};
   scene.ground = true;
+  return scene;
+}
+
+Scene settled_balls() {
+  Scene scene;
+  constexpr float radius = 0.01f;
+  for (const std::string name : {"one", "other", "copied"}) {
+    scene.solids.push_back(ball(name, radius, 4, Color(0.5f)));
+    scene.solids.back().origin = {.source = "cherry", .number = 1, .pieces = 1, .fruit = "cherry", .entry = "heap"};
+  }
+  for (int i = 0; i < 4; ++i) {
+    Pose pose;
+    pose.translation = {0.018 * (i % 2), 0, 0.1 * (i / 2)};
+    scene.instances.push_back({std::min(i, 2), pose, "ball-" + std::to_string(i + 1)});
+  }
   return scene;
 }
 

@@ -27,4 +27,7 @@ Scene with_materials();
 /// A box placed twice (once turned), a leaf, an empty solid, and a see-through ball.
 Scene mixed();
 
+/// Balls of 2 cm in a scene, two millimetres deep in each other: two of their own, and two copies of a third.
+Scene settled_balls();
+
 }  // namespace pomona::named

@@ -127,6 +127,19 @@ TEST(Usda, HullsTakeTheMeshesPlace) {
   EXPECT_EQ(occurrences(text, "approximation = \"convexHull\""), 1u);
 }
 
+/// Copies refer to the same mesh, and have shapes of their own.
+TEST(Usda, ShapesOfSettledPiecesLeaveRoomForEachOther) {
+  const std::string text = write_usda(named::settled_balls());
+  EXPECT_EQ(occurrences(text, "def Mesh \"mesh\""), 3u);
+  EXPECT_EQ(occurrences(text, "def Mesh \"hull_1\""), 4u);
+  EXPECT_EQ(occurrences(text, "bool physics:collisionEnabled = 0"), 4u);
+  EXPECT_EQ(occurrences(text, "prepend references = </Pieces/copied>"), 2u);
+  EXPECT_EQ(occurrences(text, "prepend inherits = </Pieces/copied_settled"), 2u);
+  const std::string several = write_usda(named::settled_balls(), {.hulls = 4});
+  EXPECT_EQ(occurrences(several, "bool physics:collisionEnabled = 0"), 0u) << "parts take the place of parts";
+  EXPECT_EQ(occurrences(write_usda(named::settled_balls(), {.instances = true}), "def Mesh \"hull_"), 0u);
+}
+
 TEST(Usda, ZMayPointUp) {
   Scene scene = named::mixed();
   scene.instances.resize(1);

@@ -1,0 +1,41 @@
+#include "render/export/collision/settled_hulls.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "render/export/collision/hulls_apart.h"
+#include "render/export/piece_words.h"
+
+namespace pomona {
+
+bool is_settled(const Scene& scene) {
+  return std::any_of(scene.solids.begin(), scene.solids.end(),
+                     [](const Solid& solid) { return !solid.origin.entry.empty(); });
+}
+
+std::vector<std::vector<ConvexHull>> settled_hulls(const Scene& scene, std::span<const std::vector<ConvexHull>> parts,
+                                                   CopiesShare share, Threads threads) {
+  std::vector<std::vector<ConvexHull>> result(scene.instances.size());
+  if (!is_settled(scene)) return result;
+  std::vector<int> copies(scene.solids.size(), 0);
+  for (const Instance& instance : scene.instances) ++copies[static_cast<std::size_t>(instance.solid)];
+
+  std::vector<StandingHulls> standing;
+  for (const Instance& instance : scene.instances) {
+    const auto solid = static_cast<std::size_t>(instance.solid);
+    const bool has_own_shape = share == CopiesShare::mesh || copies[solid] == 1;
+    StandingHulls body{.parts = {},
+                       .place = instance.pose.translation,
+                       .rotation = glm::normalize(instance.pose.rotation),
+                       .gives_way = has_own_shape && is_fruit(scene.solids[solid])};
+    for (const ConvexHull& part : parts[solid]) body.parts.push_back(&part);
+    standing.push_back(std::move(body));
+  }
+  std::vector<TrimmedHulls> trimmed = hulls_apart(standing, threads);
+  for (std::size_t i = 0; i < trimmed.size(); ++i) result[i] = std::move(trimmed[i].parts);
+  return result;
+}
+
+}  // namespace pomona
