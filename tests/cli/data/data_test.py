@@ -168,17 +168,35 @@ class SameBytes(Sandbox):
         self.assertEqual(again, tree(self.whole / "pictures/003"))
         self.assertEqual([path.name for path in (self.path / "again/pictures").iterdir()], ["003"])
 
-    def test_from_any_folder(self):
-        # A style and a template beside the file, pictures elsewhere: all is found, and told as from the file's folder.
+    def write_own(self, count, ground=""):
+        """A set whose style and template lie beside its file, and a folder of pictures elsewhere."""
         sub = self.path / "sets/fruit"
         for folder in (sub / "own", self.path / "photos"):
             folder.mkdir(parents=True)
         shutil.copy(SOURCE / "templates/radish.toml", sub / "own")
         shutil.copy(SOURCE / "styles/photo.toml", sub / "own/mine.toml")
         (self.path / "photos/green.png").write_bytes(png_bytes(50, 50, (40, 160, 90)))
-        (sub / "small.toml").write_text('[data]\nformat = 1\nname = "small"\ncount = 1\nsize = [64, 48]\n'
+        (sub / "small.toml").write_text(f'[data]\nformat = 1\nname = "small"\ncount = {count}\nsize = [64, 48]\n'
                                         'detail = 0.1\nstyle = "own/mine.toml"\n[scene]\nfruits = 1\n'
-                                        '[[fruit]]\nname = "own"\ntemplates = "own/radish.toml"\n')
+                                        f'{ground}[[fruit]]\nname = "own"\ntemplates = "own/radish.toml"\n')
+        return sub
+
+    def test_of_shards_and_a_farm_from_other_folders(self):
+        sub = self.write_own(3, '[ground]\npicture = "../../photos"\n')
+        made = pomona(PROGRAM, "data", "small.toml", "-o", "alone", "--quiet", folder=sub)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        for shard in ("2/2", "1/2"):
+            self.run_pomona("data", "sets/fruit/small.toml", "-o", "shared", "--shard", shard)
+        lines = self.run_pomona("farm", "commands", "sets/fruit/small.toml", "-o", "farmed", "--tasks", "2").stdout
+        for line in lines.splitlines():
+            subprocess.run(["sh", "-c", line], cwd="/", check=True, capture_output=True)
+        for out in ("shared", "farmed"):
+            self.run_pomona("merge", out)
+            self.assertEqual(tree(self.path / out), tree(sub / "alone"), out)
+
+    def test_from_any_folder(self):
+        # A style and a template beside the file, pictures elsewhere: all is found, and told as from the file's folder.
+        sub = self.write_own(1)
         for folder, file, photos, out in ((self.path, "sets/fruit/small.toml", "photos", "outside"),
                                           (sub, "small.toml", "../../photos/", "../../inside"),
                                           (self.path, sub / "small.toml", "./photos", "absolute")):
