@@ -35,8 +35,19 @@ class Stroke {
   };
   const Facet& facet(int i) const { return facets_[static_cast<std::size_t>(i)]; }
 
+  /// A box around neighbouring facets, so that not each of them is asked how near it is.
+  struct Run {
+    glm::dvec2 low{0}, high{0};
+  };
+
  private:
+  static constexpr std::size_t run_length = 8;  // facets
+
+  void find_runs();
+  std::size_t nearest_facet(const glm::dvec2& point) const;
+
   std::vector<Facet> facets_;
+  std::vector<Run> runs_;  // of all facets but the last
 };
 
 /// The polyline without points that are nearer to the point before than a ten thousandth of the whole's size, and

@@ -42,6 +42,29 @@ TEST(Stroke, TellsItsSides) {
   EXPECT_EQ(stroke.nearest({1.1, 3}).facet, 1);
 }
 
+TEST(Stroke, TheNearestFacetIsTheFirstOfAllThatAreNearest) {
+  // A wave, whose corners are as near to two facets.
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < 90; ++i) points.emplace_back(0.25 * i, i % 4 == 1 ? 0.5 : i % 4 == 3 ? -0.5 : 0.125 * (i % 3));
+  const Stroke stroke(points);
+  const RandomStream random({}, "tests/nearest facet");
+  std::vector<glm::dvec2> places = points;
+  for (std::uint64_t n = 0; n < 500; ++n)
+    places.emplace_back(30 * random.uniform(2 * n) - 4, 6 * random.uniform(2 * n + 1) - 3);
+  for (const glm::dvec2& p : places) {
+    int first = 0;
+    double least = 1e300;
+    for (int i = 0; i < stroke.facets(); ++i) {
+      const Stroke::Facet& f = stroke.facet(i);
+      const glm::dvec2 way = p - f.start - std::clamp(f.along_of(p), f.from, f.to) * f.direction;
+      if (glm::dot(way, way) < least) least = glm::dot(way, way), first = i;
+    }
+    const Stroke::Place found = stroke.nearest(p);
+    EXPECT_EQ(found.facet, first);
+    EXPECT_EQ(std::fabs(found.distance), std::sqrt(least));
+  }
+}
+
 TEST(Stroke, AStraightOneIsAPlane) {
   const DiffusionSurfaces ball = shapes::sphere(0.05, 12, shapes::skin_paint());
   const Cut by_stroke = cut(ball, std::vector<Knife>{stroke_knife({{0.01, -0.01}, {0.01, 0.02}})});

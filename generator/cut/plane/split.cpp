@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/plane/flat_grid.h"
+#include "generator/cut/plane/stroke_reach.h"
 #include "generator/cut/plane/stroke_sides.h"
 #include "generator/knife/exact_side.h"
+#include "generator/mesh/box.h"
 #include "generator/mesh/edge_map.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/weld.h"
@@ -61,6 +68,7 @@ class Splitter {
     mesh_.same_as.resize(mesh_.point.size());
     std::iota(mesh_.same_as.begin(), mesh_.same_as.end(), 0u);
     input_points_ = mesh_.point.size();
+    find_flat_points();
     find_flush();
     find_points_on_planes();
 
@@ -75,6 +83,30 @@ class Splitter {
       mesh_.triangle.push_back(triangle);
     }
     find_normals();
+  }
+
+  /// Puts the points into a grid, if there are strokes.
+  void find_flat_points() {
+    const auto is_stroke = [](const CutPlanes::Blade& blade) { return blade.stroke.has_value(); };
+    if (std::none_of(planes_.blades.begin(), planes_.blades.end(), is_stroke)) return;
+    for (const glm::dvec3& p : mesh_.point) bounds_.add(p);
+    flat_points_.emplace(glm::dvec2(bounds_.low), glm::dvec2(bounds_.high), mesh_.point.size());
+    for (std::uint32_t p = 0; p < input_points_; ++p) flat_points_->add(p, glm::dvec2(mesh_.point[p]));
+  }
+
+  /// What lies nearer to a facet, metres, is looked at: far more than rounding, and than where facets end.
+  double near_facet() const { return 2e4 * planes_.tolerance; }
+
+  /// The facet with `more` beyond its ends, metres, as far as there are points.
+  FlatStretch stretch(const Stroke::Facet& facet, double more) const {
+    const double away = glm::distance(facet.start, glm::dvec2(bounds_.center()));
+    return stretch_of(facet, more, away + glm::length(bounds_.size()));
+  }
+
+  /// The points that may lie on the facet's plane, in ascending order.
+  std::vector<std::uint32_t> points_near_plane(const Stroke::Facet& facet) const {
+    const FlatStretch line = stretch(facet, std::numeric_limits<double>::infinity());
+    return flat_points_->near(line.from, line.to, near_facet());
   }
 
   /// Metres: flat faces no farther from a turned plane lie in it. Their corners, rounded to floats, lie within a step
@@ -120,10 +152,14 @@ class Splitter {
     if (turned > 1) widen_flush();
     for (int plane = 0; plane < planes_.count(); ++plane) {
       if (planes_[plane].same_as != plane) continue;
-      for (std::size_t p = 0; p < input_points_; ++p) {
-        if (exact_distance(planes_[plane].plane, mesh_.point[p]) != 0) continue;
+      const auto mark = [&](std::uint32_t p) {
+        if (exact_distance(planes_[plane].plane, mesh_.point[p]) != 0) return;
         mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], plane);
-      }
+      };
+      if (const Stroke::Facet* facet = planes_.facet(plane))
+        for (const std::uint32_t p : points_near_plane(*facet)) mark(p);
+      else
+        for (std::uint32_t p = 0; p < input_points_; ++p) mark(p);
       if (turned > 1 && is_turned(plane)) find_flush_triangles(plane);
     }
   }
@@ -195,7 +231,8 @@ class Splitter {
   void take_plane(int plane) {
     plane_ = plane;
     shared_ = planes_[plane].same_as;
-    find_sides();
+    distance_.resize(mesh_.point.size());
+    side_.resize(mesh_.point.size());
     new_points_.clear();
     new_vertices_.clear();
   }
@@ -206,6 +243,7 @@ class Splitter {
 
   void split_by(int plane) {
     take_plane(plane);
+    for (std::uint32_t p = 0; p < mesh_.point.size(); ++p) find_side(p);
     const std::size_t count = mesh_.triangle.size();
     for (std::size_t t = 0; t < count; ++t) {
       const std::array<int, 3> side = sides_of(mesh_.triangle[t]);
@@ -221,9 +259,10 @@ class Splitter {
 
   /// Splits by one facet after another. Sides of triangles, and edges that follow the stroke, are found at the end.
   void split_by_stroke(const CutPlanes::Blade& blade) {
-    in_stroke_ = true;
+    reach_.emplace(mesh_, glm::dvec2(bounds_.low), glm::dvec2(bounds_.high));
+    sided_by_.assign(mesh_.point.size(), no_plane);
     for (int i = 0; i < blade.count; ++i) split_by_facet(blade.first + i);
-    in_stroke_ = false;
+    reach_.reset();
     see_sides_of_stroke(blade);
   }
 
@@ -231,17 +270,34 @@ class Splitter {
   /// that this puts on common edges, so that triangles go on meeting edge to edge.
   void split_by_facet(int plane) {
     take_plane(plane);
+    const Stroke::Facet& facet = *planes_.facet(plane);
+    for (const std::uint32_t p : points_near_plane(facet)) find_side_once(p);  // notes those on the plane
+    const std::vector<std::uint32_t> near = reach_->near(stretch(facet, near_facet()), near_facet());
     const std::size_t count = mesh_.triangle.size();
-    std::vector<std::size_t> not_reached;
-    for (std::size_t t = 0; t < count; ++t) {
-      const std::array<int, 3> side = sides_of(mesh_.triangle[t]);
+    std::vector<std::uint32_t> reached, not_reached;
+    for (const std::uint32_t t : near) {
+      const std::array<int, 3> side = sides_once(mesh_.triangle[t]);
       if (!is_mixed(side)) continue;
-      if (is_reached(mesh_.triangle[t], side))
-        split_triangle(t, side);
-      else
-        not_reached.push_back(t);
+      const bool is_split = is_reached(mesh_.triangle[t], side);
+      (is_split ? reached : not_reached).push_back(t);
+      if (is_split) split_triangle(t, side);
     }
-    for (const std::size_t t : not_reached) take_over_points(t);
+    const std::vector<std::uint32_t> others = mixed_neighbours(reached, near, count);
+    const auto middle = static_cast<std::ptrdiff_t>(not_reached.size());
+    not_reached.insert(not_reached.end(), others.begin(), others.end());
+    std::inplace_merge(not_reached.begin(), not_reached.begin() + middle, not_reached.end());
+    for (const std::uint32_t t : not_reached) take_over_points(t);
+  }
+
+  /// Of the first `count` triangles those on both sides of the plane that may be neighbours of `reached` and are not
+  /// among `near`.
+  std::vector<std::uint32_t> mixed_neighbours(const std::vector<std::uint32_t>& reached,
+                                              const std::vector<std::uint32_t>& near, std::size_t count) {
+    std::vector<std::uint32_t> others;
+    const std::vector<std::uint32_t> around = reach_->neighbours(reached);
+    std::set_difference(around.begin(), around.end(), near.begin(), near.end(), std::back_inserter(others));
+    std::erase_if(others, [&](std::uint32_t t) { return t >= count || !is_mixed(sides_once(mesh_.triangle[t])); });
+    return others;
   }
 
   /// True if the facet comes near the line in which its plane meets the triangle.
@@ -288,7 +344,7 @@ class Splitter {
     const std::size_t j = next[i], k = after_next[i];
     const std::uint32_t m = vertex_between(whole.vertex[i], whole.vertex[j]);
     replace(index, whole, {whole.vertex[i], m, whole.vertex[k]}, {whole.cut_by[i], 0, whole.cut_by[k]}, 0);
-    add(whole, {m, whole.vertex[j], whole.vertex[k]}, {whole.cut_by[i], whole.cut_by[j], 0}, 0);
+    add(index, whole, {m, whole.vertex[j], whole.vertex[k]}, {whole.cut_by[i], whole.cut_by[j], 0}, 0);
   }
 
   /// All edges with both ends on one facet are taken as cut; where both sides are the same they cancel (see
@@ -323,20 +379,25 @@ class Splitter {
 
   /// Exact for the input. Points this plane has made, or found, before lie on it, wherever rounding may have put them.
   /// Planes that coincide see the same sides, but for their sense.
-  void find_sides() {
+  void find_side(std::uint32_t p) {
     const CuttingPlane& plane = planes_[shared_].plane;
     const int sense = planes_[plane_].turned ? -1 : 1;
-    distance_.resize(mesh_.point.size());
-    side_.resize(mesh_.point.size());
-    for (std::size_t p = 0; p < mesh_.point.size(); ++p) {
-      const glm::dvec3& point = mesh_.point[p];
-      double distance = p < input_points_ ? exact_distance(plane, point) : signed_distance(plane, point);
-      const bool known = mesh_.sets.has(mesh_.planes_of[p], shared_);
-      if (known || (p >= input_points_ && std::fabs(distance) <= planes_.rounding)) distance = 0;
-      if (!known && distance == 0) mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], shared_);
-      distance_[p] = std::fabs(distance);
-      side_[p] = static_cast<std::int8_t>(distance == 0 ? 0 : (distance > 0) == (sense > 0) ? 1 : -1);
-    }
+    const glm::dvec3& point = mesh_.point[p];
+    double distance = p < input_points_ ? exact_distance(plane, point) : signed_distance(plane, point);
+    const bool known = mesh_.sets.has(mesh_.planes_of[p], shared_);
+    if (known || (p >= input_points_ && std::fabs(distance) <= planes_.rounding)) distance = 0;
+    if (!known && distance == 0) mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], shared_);
+    distance_[p] = std::fabs(distance);
+    side_[p] = static_cast<std::int8_t>(distance == 0 ? 0 : (distance > 0) == (sense > 0) ? 1 : -1);
+  }
+
+  void find_side_once(std::uint32_t p) {
+    if (std::exchange(sided_by_[p], plane_) != plane_) find_side(p);
+  }
+
+  std::array<int, 3> sides_once(const Triangle& t) {
+    for (const std::uint32_t v : t.vertex) find_side_once(mesh_.point_of[v]);
+    return sides_of(t);
   }
 
   std::array<int, 3> sides_of(const Triangle& t) const {
@@ -346,7 +407,7 @@ class Splitter {
 
   /// Notes that the triangle lies on one side. `side` < 0: the negative one; 0: in the plane.
   void see_side(Triangle& t, int side) {
-    if (in_stroke_) return;
+    if (reach_) return;
     const bool positive = side > 0 || (side == 0 && lies_with_positive_side(t));
     t.sides = planes_.knives[static_cast<std::size_t>(planes_[plane_].knife)].seen(t.sides, planes_[plane_].in_knife,
                                                                                    positive);
@@ -383,7 +444,7 @@ class Splitter {
     if (side[first] == 0) {
       const std::uint32_t m = vertex_between(b, c);
       replace(index, whole, {a, b, m}, {ab, bc, 0}, side[second]);
-      add(whole, {a, m, c}, {0, bc, ca}, side[third]);
+      add(index, whole, {a, m, c}, {0, bc, ca}, side[third]);
       return;
     }
 
@@ -392,11 +453,11 @@ class Splitter {
     replace(index, whole, {a, p, q}, {ab, 0, ca}, side[first]);
     const glm::dvec3 from_p = mesh_.place_of(c) - mesh_.place_of(p), from_q = mesh_.place_of(b) - mesh_.place_of(q);
     if (glm::dot(from_p, from_p) <= glm::dot(from_q, from_q)) {
-      add(whole, {p, b, c}, {ab, bc, 0}, side[second]);
-      add(whole, {p, c, q}, {0, ca, 0}, side[second]);
+      add(index, whole, {p, b, c}, {ab, bc, 0}, side[second]);
+      add(index, whole, {p, c, q}, {0, ca, 0}, side[second]);
     } else {
-      add(whole, {p, b, q}, {ab, 0, 0}, side[second]);
-      add(whole, {b, c, q}, {bc, ca, 0}, side[second]);
+      add(index, whole, {p, b, q}, {ab, 0, 0}, side[second]);
+      add(index, whole, {b, c, q}, {bc, ca, 0}, side[second]);
     }
   }
 
@@ -409,9 +470,11 @@ class Splitter {
     mesh_.triangle[index] = part;
   }
 
-  void add(const Triangle& whole, const std::array<std::uint32_t, 3>& vertex,
+  /// Adds a part of the triangle at `index`, which was `whole`.
+  void add(std::size_t index, const Triangle& whole, const std::array<std::uint32_t, 3>& vertex,
            const std::array<std::uint32_t, 3>& cut_by, int side) {
     mesh_.triangle.emplace_back();
+    if (reach_) reach_->add_part_of(static_cast<std::uint32_t>(index));
     replace(mesh_.triangle.size() - 1, whole, vertex, cut_by, side);
   }
 
@@ -440,6 +503,8 @@ class Splitter {
                     set);
     distance_.push_back(0);
     side_.push_back(0);
+    if (flat_points_) flat_points_->add(point, glm::dvec2(mesh_.point.back()));
+    if (reach_) sided_by_.push_back(plane_);
     return point;
   }
 
@@ -450,10 +515,14 @@ class Splitter {
   // The plane at work, the one it coincides with, and where points lie to it.
   int plane_ = 0, shared_ = 0;
   std::size_t input_points_ = 0;
-  bool in_stroke_ = false;
   double flush_ = 0;
   std::vector<double> distance_;  // without sign
   std::vector<std::int8_t> side_;
+  static constexpr int no_plane = -1;
+  std::vector<int> sided_by_;  // per point: the facet to which its side was found last
+  Box<double> bounds_;         // of the input, if there are strokes
+  std::optional<FlatGrid> flat_points_;
+  std::optional<StrokeReach> reach_;  // while a stroke splits
   EdgeMap<std::uint32_t> new_points_, new_vertices_;
 };
 
