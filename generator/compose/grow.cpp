@@ -10,8 +10,7 @@
 #include "generator/surface/grains/grains.h"
 #include "generator/surface/sheets.h"
 #include "generator/surface/skin_depth.h"
-#include "generator/surface/sweep/spots.h"
-#include "generator/surface/sweep/sweep.h"
+#include "generator/surface/sweep/swept_fruit.h"
 #include "generator/variation/individual_colors.h"
 #include "generator/variation/ripen.h"
 #include "generator/variation/scaled.h"
@@ -76,9 +75,10 @@ GrownFruit grow_unsplit(const Template& variant, VariantKey users_key, const Gro
   const VariantKey key = species_key(users_key, variant.name);
   const SweepOptions sweep_options{.detail = options.detail, .key = key, .threads = options.threads};
   GrownFruit grown;
-  grown.swept = sweep(variant, sweep_options);
+  SweptFruit swept = swept_fruit(variant, sweep_options);
+  grown.swept = std::move(swept.surfaces);
+  grown.raised = std::move(swept.raised);
   grown.grains = scatter_grains(variant, key, sweep_options);
-  grown.raised = spots_with_relief(variant, sweep_options);
   if (has_own_colors(variant)) {
     grown.skin = std::make_shared<const SkinDepth>(grown.swept);
     const std::vector<glm::dvec3> leads = tissue_colors(grown.swept, grown.grains, variant);

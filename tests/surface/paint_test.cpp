@@ -15,6 +15,7 @@
 #include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/surface_grids.h"
 #include "generator/surface/sweep/sweep.h"
+#include "generator/surface/sweep/swept_fruit.h"
 #include "generator/variation/vary.h"
 #include "tests/surface/sketches.h"
 
@@ -388,7 +389,7 @@ TEST(Spots, those_with_relief_lie_where_they_are_painted_and_look_to_the_air) {
     for (const Spot& spot : placed_spots(made, sketch, side, grids, {}))
       if (spot.relief != 0) painted.push_back(spot);
   }
-  const std::vector<Spot> all = spots_with_relief(made, {});
+  const std::vector<Spot> all = swept_fruit(made).raised;
   ASSERT_EQ(all.size(), painted.size());
   ASSERT_GT(all.size(), 100u);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -410,7 +411,7 @@ TEST(Spots, those_with_relief_lie_where_they_are_painted_and_look_to_the_air) {
   }
   sketch.front.spots = {flat};
   sketch.back.spots = {};
-  EXPECT_TRUE(spots_with_relief(fruit({sketch}), {}).empty());
+  EXPECT_TRUE(swept_fruit(fruit({sketch})).raised.empty());
 }
 
 TEST(Spots, any_thread_gives_the_same_bits) {

@@ -202,18 +202,11 @@ std::vector<Color> with_spots(const SweptGrid& grid, std::vector<Color> ground, 
   return ground;
 }
 
-std::vector<Spot> spots_with_relief(const Template& fruit, const SweepOptions& options) {
-  std::vector<Spot> all;
-  for (const SurfaceSketch& sketch : fruit.surfaces) {
-    for (const SideOf side : {SideOf::front, SideOf::back}) {
-      const std::vector<SpotSketch>& kinds = side_of(sketch, side).spots;
-      if (std::none_of(kinds.begin(), kinds.end(), [](const SpotSketch& kind) { return kind.relief != 0; })) continue;
-      for (Spot spot : placed_spots(fruit, sketch, side, swept_grids(fruit, sketch, options), options)) {
-        if (spot.relief != 0) all.push_back(seen_from_air(spot, side));
-      }
-    }
-  }
-  return all;
+std::vector<Spot> raised_spots(std::span<const Spot> spots, SideOf side) {
+  std::vector<Spot> raised;
+  for (const Spot& spot : spots)
+    if (spot.relief != 0) raised.push_back(seen_from_air(spot, side));
+  return raised;
 }
 
 std::vector<std::string> spot_warnings(const Template& fruit, const SweepOptions& options) {

@@ -21,9 +21,9 @@ std::vector<Spot> placed_spots(const Template& fruit, const SurfaceSketch& sketc
 /// The colours of a grid's vertices with the spots over them, each a blend of its ground and spot colour.
 std::vector<Color> with_spots(const SweptGrid& grid, std::vector<Color> ground, std::span<const Spot> spots);
 
-/// The spots with relief of all surfaces, for the side of the air: normals point to the air, rims are as soft as
+/// Those of a side's spots that have relief, for the side of the air: normals point to the air, rims are as soft as
 /// shading needs, and the strength of the colour is ignored.
-std::vector<Spot> spots_with_relief(const Template& fruit, const SweepOptions& options);
+std::vector<Spot> raised_spots(std::span<const Spot> spots, SideOf side);
 
 /// One warning for every kind of spots whose smallest width is below the widest cell of their surface: some spots may
 /// fall between the vertices and be lost.

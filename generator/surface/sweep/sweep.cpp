@@ -13,6 +13,7 @@
 #include "generator/surface/sweep/sheet_shells.h"
 #include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/surface_grids.h"
+#include "generator/surface/sweep/swept_fruit.h"
 #include "generator/template/read/entry_place.h"
 
 namespace pomona {
@@ -30,15 +31,18 @@ namespace {
 
 }  // namespace
 
-DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
+SweptFruit swept_fruit(const Template& fruit, const SweepOptions& options) {
   DiffusionSurfaces surfaces;
+  std::vector<Spot> raised;
   surfaces.part_names = fruit.parts;
   for (const SurfaceSketch& sketch : fruit.surfaces) {
     GridPainter painter(surfaces, sketch.name, sketch.front, sketch.back, sketch.blur);
     const std::vector<SweptGrid> grids = swept_grids(fruit, sketch, options);
     for (const SweptGrid& grid : grids) painter.append(grid);
     for (const SideOf side : {SideOf::front, SideOf::back}) {
-      painter.dab(side, placed_spots(fruit, sketch, side, grids, options), grids);
+      const std::vector<Spot> spots = placed_spots(fruit, sketch, side, grids, options);
+      painter.dab(side, spots, grids);
+      for (const Spot& spot : raised_spots(spots, side)) raised.push_back(spot);
     }
   }
   append_sheets(surfaces, fruit, options);
@@ -51,7 +55,11 @@ DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
   }
   Oriented result = oriented(std::move(surfaces), turns);
   for (const Undecided& shell : result.undecided) refuse_undecided(fruit, result.surfaces, shell);
-  return std::move(result.surfaces);
+  return {std::move(result.surfaces), std::move(raised)};
+}
+
+DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
+  return swept_fruit(fruit, options).surfaces;
 }
 
 }  // namespace pomona
