@@ -17,6 +17,8 @@ if(POMONA_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_link_options(-fsanitize=address,undefined)
+  # front() of an empty deque and its like lie within memory that is allowed.
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()
 
 # A shared library can hold all of it: the Python module is one. Hidden symbols cannot be replaced from outside, so the

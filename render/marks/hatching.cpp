@@ -125,7 +125,9 @@ class LineSet {
       heading = way(place + first * (0.5 * stride_), first);
       place += heading * stride_;
       lately.push_back(heading);
-      if (static_cast<double>(lately.size()) * stride_ > 0.5 * options_.spacing) lately.pop_front();
+      // The last one stays: in small pictures one step is longer than half a spacing.
+      if (lately.size() > 1 && static_cast<double>(lately.size()) * stride_ > 0.5 * options_.spacing)
+        lately.pop_front();
       if (glm::dot(lately.front(), heading) < min_bend) break;
       if (!holds(place) || !grid_.is_free(place, 0.55 * options_.spacing, line, sense * step, own)) break;
       grid_.add(place, line, sense * step);

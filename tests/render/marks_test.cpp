@@ -134,6 +134,13 @@ TEST(Marks, LinesFollowTheFlowAndKeepTheirDistance) {
   }
 }
 
+/// In small pictures a step is longer than half a spacing, and the bend is that from one step to the next.
+TEST(Marks, LinesOfSmallPicturesRunOn) {
+  const std::vector<Mark> lines = hatched(even(0.4), all_along({1, 0}), {.spacing = 1.5, .width = 1});
+  ASSERT_GT(lines.size(), 100u);
+  for (const Mark& line : lines) EXPECT_GT(std::abs(line.back().at.x - line.front().at.x), side - 3.0);
+}
+
 TEST(Marks, DarkerTonesCoverMore) {
   double before = 0;
   for (const double dark : {0.1, 0.3, 0.5, 0.7, 0.9}) {
