@@ -23,7 +23,7 @@ WIDTH, HEIGHT = 96, 72
 class Organs(Program):
     def make(self):
         def cut(folder, size, *more):
-            self.pomona("cut", "currants", "--seed", "2", "--knife", "half", "--detail", "0.1", "--quality", "draft", "--size", size,
+            self.pomona("cut", "currants", "--seed", "1", "--knife", "half", "--detail", "0.1", "--quality", "draft", "--size", size,
                         "-o", "x.png", "--aov", folder, *more)
             return json.loads((self.path / folder / "annotations.json").read_text())["annotations"]
         of_exr = cut("exr", f"{WIDTH}x{HEIGHT}", "--aov-format", "exr")
