@@ -98,11 +98,6 @@ std::string largest_look(const StyledLevel& level, const std::vector<Subset>& by
   return most->name.substr(std::string("look_").size());
 }
 
-/// The look that its shapes rub by.
-std::string look_of_shapes(const StyledLevel& level, Looks& looks) {
-  return largest_look(level, subsets_by_material(level, 0, looks), looks);
-}
-
 void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const glm::vec3& pivot) {
   const auto line = [&](const std::string& words) { append_line(text, indent, words); };
   std::vector<glm::vec3> points = mesh.position;
@@ -267,15 +262,21 @@ void append_hull(std::string& text, const std::string& name, const ConvexHull& h
   line("}");
 }
 
+/// The convex parts of a solid, which rub by its largest look.
+void append_hulls(std::string& text, std::span<const ConvexHull> parts, const StyledLevel& level, Looks& looks) {
+  if (parts.empty()) return;
+  const std::string look = largest_look(level, subsets_by_material(level, 0, looks), looks);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    append_hull(text, "hull_" + std::to_string(i + 1), parts[i], pivot_of(level.solid), look);
+}
+
 /// Its mesh, or those of its levels of detail, and what it collides with.
 void append_meshes(std::string& text, std::span<const StyledLevel> levels, const glm::vec3& pivot, Looks& looks,
                    int hulls) {
   const Solid& solid = levels.front().solid;
   std::vector<ConvexHull> parts;
   if (is_fruit(solid) && hulls > 1) parts = collision_parts(solid, hulls, StillShape::triangles);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    append_hull(text, "hull_" + std::to_string(i + 1), parts[i], pivot, look_of_shapes(levels.front(), looks));
-  }
+  append_hulls(text, parts, levels.front(), looks);
   const Approximation approximation = !parts.empty()    ? Approximation::separate_hulls
                                       : is_fruit(solid) ? Approximation::convex_hull
                                                         : Approximation::triangles;
@@ -314,9 +315,7 @@ std::string settled_text(const std::string& name, const StyledLevel& level, std:
     append_line(text, 2, "    bool physics:collisionEnabled = 0");
     append_line(text, 2, "}");
   }
-  const std::string look = look_of_shapes(level, looks);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    append_hull(text, "hull_" + std::to_string(i + 1), parts[i], pivot_of(level.solid), look);
+  append_hulls(text, parts, level, looks);
   append_line(text, 1, "}");
   return text;
 }
