@@ -74,7 +74,8 @@ endfunction()
 
 # pomona_test(sweep_test SOURCES sweep_test.cpp DEPENDS pomona_surface)
 # One GoogleTest program; its cases appear in ctest one by one. What it tests is compiled as ever; the test itself with
-# less optimisation, and with the headers of tests/test_headers.h compiled once for all tests.
+# less optimisation, and with the headers of tests/test_headers.h compiled once for all tests. One that hangs is ended
+# after ctest's 1500 seconds: sanitizers take ten times as long.
 function(pomona_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -84,7 +85,7 @@ function(pomona_test name)
   if(POMONA_UNITY)
     target_precompile_headers(${name} REUSE_FROM pomona_test_headers)
   endif()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST)
 endfunction()
 
 # pomona_bundle(page_script ENTRY render/page/page.js)
