@@ -41,7 +41,7 @@ struct Options {
   int threads = 0;
 };
 
-/// What issue 6 allows.
+/// Errors allowed, relative: of areas, of volumes, and of volumes cut by curved solids and peels.
 constexpr double max_area_error = 1e-9, max_volume_error = 1e-6, max_curved_volume_error = 1e-5;
 
 /// The number of cuts between two saves of the figures.

@@ -223,10 +223,7 @@ try {
   await session.evaluate(
     'document.getElementById("over").click(), document.getElementById("photo").value = 0.35, ' +
     'document.getElementById("photo").dispatchEvent(new Event("input"))');
-  await tab.keyboard.down('Control');
-  await key('s');
-  await tab.keyboard.up('Control');
-  await tab.waitForFunction('document.getElementById("save").disabled', {timeout: 30000});
+  await session.save();
   await keep('variant');
   console.log(await session.evaluate('document.getElementById("errors").textContent') || 'no mistakes', session.faults);
 } finally {

@@ -125,15 +125,8 @@ try {
   await session.settled();
 
   // Saved, it is what `check` accepts and what `grow` makes, to the byte.
-  const asset = Buffer.from(
-    await session.evaluate(
-      `(async () => { const b = await studio.server.bytes('/api/asset', studio.wanted(studio.texts, {final: true}));
-        let t = ''; for (const c of b) t += String.fromCharCode(c); return btoa(t); })()`),
-    'base64');
-  await session.tab.keyboard.down('Control');
-  await session.tab.keyboard.press('s');
-  await session.tab.keyboard.up('Control');
-  await session.tab.waitForFunction('document.getElementById("save").disabled', {timeout: 20000});
+  const asset = await session.asset();
+  await session.save();
   execFileSync(program, ['check', 'plum.toml'], {cwd: folder});
   execFileSync(program, ['grow', 'plum.toml', '-o', 'plum.pomona', '--quiet'], {cwd: folder});
   assert.ok(readFileSync(`${folder}/plum.pomona`).equals(asset), 'what is saved is not what was seen');

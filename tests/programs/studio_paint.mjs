@@ -85,15 +85,8 @@ try {
   if (picture) await session.tab.screenshot({path: picture});
 
   // Saved, the reader accepts it, and it is what was seen.
-  const asset = Buffer.from(
-    await session.evaluate(
-      `(async () => { const b = await studio.server.bytes('/api/asset', studio.wanted(studio.texts, {final: true}));
-        let t = ''; for (const c of b) t += String.fromCharCode(c); return btoa(t); })()`),
-    'base64');
-  await session.tab.keyboard.down('Control');
-  await session.tab.keyboard.press('s');
-  await session.tab.keyboard.up('Control');
-  await session.tab.waitForFunction('document.getElementById("save").disabled', {timeout: 20000});
+  const asset = await session.asset();
+  await session.save();
   assert.equal(readFileSync(`${folder}/plum.toml`, 'utf8'), painted);
   execFileSync(program, ['check', 'plum.toml'], {cwd: folder});
   execFileSync(program, ['grow', 'plum.toml', '-o', 'plum.pomona', '--quiet'], {cwd: folder});

@@ -58,6 +58,22 @@ export class Session {
   }
   async clear() { await this.evaluate('studio.loads.section = 0'); }
 
+  /** The fruit that the studio shows, as the bytes of a .pomona. */
+  async asset() {
+    return Buffer.from(
+      await this.evaluate(
+        `(async () => { const b = await studio.server.bytes('/api/asset', studio.wanted(studio.texts, {final: true}));
+          let t = ''; for (const c of b) t += String.fromCharCode(c); return btoa(t); })()`),
+      'base64');
+  }
+  /** Control and S, until all is saved. */
+  async save() {
+    await this.tab.keyboard.down('Control');
+    await this.tab.keyboard.press('s');
+    await this.tab.keyboard.up('Control');
+    await this.tab.waitForFunction('document.getElementById("save").disabled', {timeout: 20000});
+  }
+
   /** Where a place of the page of the drawing is in the window. */
   where(view, place) {
     return this.evaluate((name, p) => {
