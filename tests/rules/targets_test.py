@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """All targets of the Makefile, one after another in one copy of the sources: each configures what it asks for, whatever
-the one before it has left, and finds what it wants built.
+the one before it has left, and finds what it wants built. CMake keeps in a folder's cache what a preset does not say, so
+every preset must say every option that CMakeLists.txt declares.
 
     targets_test.py ROOT
 
@@ -39,26 +40,32 @@ def commands_of(target, folder):
     return [command for line in told.stdout.splitlines() for command in re.split(r"&&|\|\||;", line)]
 
 
-def folders():
-    """The build folder of each preset."""
-    found = {}
+def presets():
+    """What each preset says, what it inherits included: name -> preset."""
+    said = {}
     for preset in json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]:
-        own = preset.get("binaryDir", "").removeprefix("${sourceDir}/")
-        found[preset["name"]] = own or found[preset["inherits"]]
-    return found
+        parent = said.get(preset.get("inherits"), {})
+        variables = {**parent.get("cacheVariables", {}), **preset.get("cacheVariables", {})}
+        said[preset["name"]] = {**parent, **preset, "cacheVariables": variables}
+    return said
+
+
+def folder_of(preset):
+    """Its build folder."""
+    return presets()[preset]["binaryDir"].removeprefix("${sourceDir}/")
 
 
 def wanted(folder):
     """Steps from one preset of a build folder to another (None: no folder yet), each with the first target that makes it;
     and what is built with each preset."""
-    folder_of, now, steps, built = folders(), {}, {}, {}
+    now, steps, built = {}, {}, {}
     for target in targets():
         for command in commands_of(target, folder):
             if configured := re.search(r"cmake --preset ([\w-]+)", command):
                 preset = configured.group(1)
                 if not can_be_tried(preset):
                     break  # what follows is built with it
-                before, now[folder_of[preset]] = now.get(folder_of[preset]), preset
+                before, now[folder_of(preset)] = now.get(folder_of(preset)), preset
                 if before != preset:
                     steps.setdefault((before, preset), target)
             elif build := re.search(r"cmake --build (\S+)(?: --target ([\w -]+?))?(?: -j| >|$)", command):
@@ -67,21 +74,37 @@ def wanted(folder):
     return steps, built
 
 
+class Presets(unittest.TestCase):
+    def test_every_preset_says_every_option(self):
+        options = re.findall(r"^option\((\w+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertGreater(len(options), 3)
+        for name, preset in presets().items():
+            for option in [*options, "CMAKE_BUILD_TYPE"]:
+                self.assertIn(option, preset["cacheVariables"], f"preset {name}")
+
+
 class Targets(unittest.TestCase):
     def test_each_works_after_the_one_before_it(self):
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch, "copy")
             shutil.copytree(ROOT, folder, ignore=NOT_COPIED)
-            folder_of, now = folders(), {}
+            now = {}
             steps, built = wanted(folder)
             self.assertGreater(len(steps), 10)
             for (before, preset), target in steps.items():
-                build = folder_of[preset]
+                build = folder_of(preset)
                 if now.get(build) != before:
                     self.run_in(folder, target, "cmake", "--preset", before)
                 self.run_in(folder, target, "cmake", "--preset", preset)
+                self.assert_as_said(preset, folder / build / "CMakeCache.txt")
                 now[build] = preset
                 self.run_in(folder, target, "ninja", "-C", build, "-t", "query", *built.get(preset, ["all"]))
+
+    def assert_as_said(self, preset, cache):
+        kept = dict(re.findall(r"^(\w+):\w+=(.*)$", cache.read_text(encoding="utf-8"), re.MULTILINE))
+        for option, value in presets()[preset]["cacheVariables"].items():
+            # CMake keeps a compiler with its path.
+            self.assertEqual(pathlib.PurePath(kept[option]).name, value, f"{option} of preset {preset}")
 
     def run_in(self, folder, target, *words):
         done = subprocess.run(words, cwd=folder, capture_output=True, text=True)
