@@ -57,7 +57,7 @@ std::vector<PlaceSeat> seats_on_surface(const Template& variant, const PlaceSket
                                         const SweepOptions& options) {
   const SurfaceSketch& surface = variant.surfaces.at(static_cast<std::size_t>(*place.surface));
   const LawSketch& law = law_of(variant, place);
-  const std::vector<SweptGrid> grids = swept_grids(variant, surface, options);
+  const std::vector<SweptGrid> grids = swept_grids(variant, surface, for_placing(options));
   std::vector<PlaceSeat> seats;
   if (grids.empty()) return seats;
   const GridPlaces places(grids.front());

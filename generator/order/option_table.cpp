@@ -87,7 +87,7 @@ std::vector<OrderOption> fruit_options() {
        .step = OrderStep::grow},
       {.name = "detail",
        .value = NumberValue{member_of<&Order::fruit, &FruitOrder::growing, &GrowOptions::detail>, 0.1, 4},
-       .help = "Tessellation of the surfaces, relative to the template's",
+       .help = "How finely surfaces are divided, relative to the template; above 1 grains, too, and all stays in place",
        .takers = of_all,
        .makes_piece = true,
        .step = OrderStep::grow},

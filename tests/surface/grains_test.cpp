@@ -41,15 +41,31 @@ Template seeded(const GrainSketch& grains) {
 constexpr std::size_t vertices_per_grain = 2 + 8 * 4;
 
 /// The middle of each grain: half-way between its two poles.
-std::vector<glm::dvec3> centers(const DiffusionSurfaces& grains) {
+std::vector<glm::dvec3> centers(const DiffusionSurfaces& grains, std::size_t of_each = vertices_per_grain) {
   std::vector<glm::dvec3> found;
-  for (std::size_t v = 0; v < grains.vertex_count(); v += vertices_per_grain) {
-    found.push_back(0.5 * (glm::dvec3(grains.position[v]) + glm::dvec3(grains.position[v + vertices_per_grain - 1])));
+  for (std::size_t v = 0; v < grains.vertex_count(); v += of_each) {
+    found.push_back(0.5 * (glm::dvec3(grains.position[v]) + glm::dvec3(grains.position[v + of_each - 1])));
   }
   return found;
 }
 
 const glm::dvec3 middle(0, 0.04, 0);
+
+TEST(Grains, OfMoreDetailLieWhereTheyLayAndAreRounder) {
+  const Template ball = seeded(seeds(0.006));
+  const DiffusionSurfaces usual = scatter_grains(ball, {1, 0}), fine = scatter_grains(ball, {1, 0}, {.detail = 3});
+  const std::vector<glm::dvec3> at = centers(usual);
+  ASSERT_GT(at.size(), 100u);
+  EXPECT_EQ(centers(fine, 2 + 24 * 16), at);
+  const double round = 4.0 / 3 * pi * 0.002 * 0.0015 * 0.001 * static_cast<double>(at.size());
+  EXPECT_LT(round - shapes::signed_volume(fine), (round - shapes::signed_volume(usual)) / 8);
+}
+
+TEST(Grains, OfMoreDetailThanMemoryHoldsAreRefused) {
+  GrainSketch sketch = seeds(0.003);
+  sketch.form.around = sketch.form.along = 60;
+  EXPECT_THROW(scatter_grains(seeded(sketch), {1, 0}, {.detail = 4}), Error);
+}
 
 TEST(Grains, NoTwoAreNearerThanThePoissonRadiusAndFewMoreWouldFit) {
   for (const double sink : {0.0, 0.005, -0.005}) {

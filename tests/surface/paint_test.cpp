@@ -414,6 +414,19 @@ TEST(Spots, those_with_relief_lie_where_they_are_painted_and_look_to_the_air) {
   EXPECT_TRUE(swept_fruit(fruit({sketch})).raised.empty());
 }
 
+TEST(Spots, more_detail_shows_the_same_ones) {
+  SurfaceSketch sketch = ball();
+  sketch.front.spots = {scattered(0.009, 0.005)};
+  sketch.front.spots[0].relief = 0.0003;
+  const Template made = fruit({sketch});
+  const std::vector<Spot> usual = swept_fruit(made).raised, fine = swept_fruit(made, {.detail = 2.5}).raised;
+  ASSERT_EQ(fine.size(), usual.size());
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    EXPECT_EQ(fine[i].center, usual[i].center);
+    EXPECT_EQ(fine[i].radius, usual[i].radius);
+  }
+}
+
 TEST(Spots, any_thread_gives_the_same_bits) {
   SurfaceSketch sketch = ball();
   sketch.front.spots = {scattered(0.008, 0.004)};

@@ -25,6 +25,7 @@ namespace pomona {
 namespace {
 
 constexpr double max_grains = 20'000;
+constexpr double max_vertices = 16e6;  // of one kind of grains
 
 /// The longest way across the vertical drawing.
 double fruit_size(const Template& fruit) {
@@ -107,8 +108,22 @@ std::vector<GrainStamp> stamps_of(const GrainSketch& sketch, const GrainForm& fo
   return stamps;
 }
 
+/// With finer triangles, if more detail is asked for than the template's own. Less leaves them: they have few.
+GrainForm finer(GrainForm form, double detail) {
+  form.around = refined(form.around, std::max(detail, 1.0), form.around);
+  form.along = refined(form.along, std::max(detail, 1.0), form.along);
+  return form;
+}
+
+/// \throws Error (bad_data) for grains with more vertices than memory has room for.
+void refuse_too_fine(const Template& fruit, const GrainSketch& sketch, const GrainForm& form, std::size_t count) {
+  if (static_cast<double>(count) * form.around * form.along > max_vertices) {
+    refuse_entry(fruit, "grains", sketch.name, "more than 16 million vertices", "lower around or along, or the detail");
+  }
+}
+
 /// Grains of a volume that are half as large as the largest, or a quarter, need fewer triangles; the least is 20.
-std::vector<GrainForm> forms_of(const GrainSketch& sketch) {
+std::vector<GrainForm> forms_of(const GrainSketch& sketch, double detail) {
   std::vector<GrainForm> forms{sketch.form};
   for (int halvings = 1; sketch.volume && halvings <= 2; ++halvings) {
     GrainForm form = forms.back();
@@ -116,6 +131,7 @@ std::vector<GrainForm> forms_of(const GrainSketch& sketch) {
     form.along = std::max(std::min(4, form.along), form.along * 3 / 4);
     forms.push_back(form);
   }
+  for (GrainForm& form : forms) form = finer(form, detail);
   return forms;
 }
 
@@ -126,10 +142,10 @@ std::size_t form_of(const GrainSketch& sketch, std::uint64_t number, std::size_t
   return share >= 0.5 ? 0 : share >= 0.25 ? 1 : 2;
 }
 
-void append_grains(DiffusionSurfaces& grains, const GrainSketch& sketch, const std::vector<Dart>& darts,
-                   const GrainDraws& draws) {
+void append_grains(DiffusionSurfaces& grains, const GrainSketch& sketch, const std::vector<GrainForm>& forms,
+                   const std::vector<Dart>& darts, const GrainDraws& draws) {
   std::vector<std::vector<GrainStamp>> stamps;  // by form, then by look
-  for (const GrainForm& form : forms_of(sketch)) stamps.push_back(stamps_of(sketch, form));
+  for (const GrainForm& form : forms) stamps.push_back(stamps_of(sketch, form));
   const std::int32_t surface = add_surface(grains, sketch.name);
   for (const Dart& dart : darts) {
     const std::vector<GrainStamp>& looks = stamps[form_of(sketch, dart.number, darts.size())];
@@ -140,9 +156,9 @@ void append_grains(DiffusionSurfaces& grains, const GrainSketch& sketch, const s
 }
 
 /// A core in every grain that looks as its sketch says; those with another look have none.
-void append_cores(DiffusionSurfaces& grains, const GrainSketch& sketch, const GrainCore& core,
+void append_cores(DiffusionSurfaces& grains, const GrainSketch& sketch, const GrainCore& core, const GrainForm& form,
                   const std::vector<Dart>& darts, const GrainDraws& draws) {
-  const GrainStamp stamp(core.form, core.front, core.back, core.blur);
+  const GrainStamp stamp(form, core.front, core.back, core.blur);
   const std::int32_t surface = add_surface(grains, sketch.name + "-core");
   for (const Dart& dart : darts) {
     if (dart.pose.look != GrainPose::own_look) continue;
@@ -152,6 +168,19 @@ void append_cores(DiffusionSurfaces& grains, const GrainSketch& sketch, const Gr
     pose.length *= core.form.length;
     pose.width *= core.form.width;
     stamp.append_to(grains, center, pose, drawn_tint(sketch, dart.number, draws), surface);
+  }
+}
+
+/// The grains of one kind with their cores.
+void append_kind(DiffusionSurfaces& grains, const Template& fruit, const GrainSketch& sketch,
+                 const std::vector<Dart>& darts, const GrainDraws& draws, double detail) {
+  const std::vector<GrainForm> forms = forms_of(sketch, detail);
+  refuse_too_fine(fruit, sketch, forms.front(), darts.size());
+  append_grains(grains, sketch, forms, darts, draws);
+  for (const GrainCore& core : sketch.cores) {
+    const GrainForm form = finer(core.form, detail);
+    refuse_too_fine(fruit, sketch, form, darts.size());
+    append_cores(grains, sketch, core, form, darts, draws);
   }
 }
 
@@ -199,6 +228,7 @@ const LawSketch& law_of(const Template& fruit, const GrainSketch& sketch) {
 DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const SweepOptions& options) {
   DiffusionSurfaces grains;
   grains.part_names = fruit.parts;
+  const SweepOptions placing = for_placing(options);
   const double size = fruit_size(fruit);
   double expected = 0;
   std::vector<std::vector<Dart>> placed;
@@ -211,12 +241,11 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
       expected += volume_room(sketch, surface.vertical);
       if (expected > max_grains)
         refuse_entry(fruit, "grains", sketch.name, "more than 20 000 grains", "make the smallest larger");
-      placed.push_back(filled_volume(fruit, sketch, draws, key, options, placed));
-      append_grains(grains, sketch, placed.back(), draws);
-      for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, placed.back(), draws);
+      placed.push_back(filled_volume(fruit, sketch, draws, key, placing, placed));
+      append_kind(grains, fruit, sketch, placed.back(), draws, options.detail);
       continue;
     }
-    const std::vector<SweptGrid> grids = swept_grids(fruit, surface, options);
+    const std::vector<SweptGrid> grids = swept_grids(fruit, surface, placing);
     std::vector<GrainTarget> targets;
     if (sketch.spacing.law) {
       expected += law_room(law_of(fruit, sketch), surface.vertical);
@@ -244,12 +273,11 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
     }
     darts = filled(std::move(darts), sketch, draws);
     if (const std::vector<int>& clear_of = sketch.spacing.clear_of; !clear_of.empty()) {
-      if (!walls.contains(clear_of)) walls.emplace(clear_of, walls_of(fruit, sketch, options));
+      if (!walls.contains(clear_of)) walls.emplace(clear_of, walls_of(fruit, sketch, placing));
       darts = with_room(std::move(darts), sketch, walls.at(clear_of), others);
     }
     placed.push_back(std::move(darts));
-    append_grains(grains, sketch, placed.back(), draws);
-    for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, placed.back(), draws);
+    append_kind(grains, fruit, sketch, placed.back(), draws, options.detail);
   }
   return grains;
 }

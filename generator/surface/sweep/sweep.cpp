@@ -39,8 +39,11 @@ SweptFruit swept_fruit(const Template& fruit, const SweepOptions& options) {
     GridPainter painter(surfaces, sketch.name, sketch.front, sketch.back, sketch.blur);
     const std::vector<SweptGrid> grids = swept_grids(fruit, sketch, options);
     for (const SweptGrid& grid : grids) painter.append(grid);
+    if (sketch.front.spots.empty() && sketch.back.spots.empty()) continue;
+    const std::vector<SweptGrid> placing =
+        options.detail > 1 ? swept_grids(fruit, sketch, for_placing(options)) : grids;
     for (const SideOf side : {SideOf::front, SideOf::back}) {
-      const std::vector<Spot> spots = placed_spots(fruit, sketch, side, grids, options);
+      const std::vector<Spot> spots = placed_spots(fruit, sketch, side, placing, options);
       painter.dab(side, spots, grids);
       for (const Spot& spot : raised_spots(spots, side)) raised.push_back(spot);
     }

@@ -1,6 +1,8 @@
 // Options of a sweep.
 #pragma once
 
+#include <algorithm>
+
 #include "generator/base/parallel.h"
 #include "generator/base/random.h"
 
@@ -11,5 +13,11 @@ struct SweepOptions {
   VariantKey key = {};   ///< for the positions of spots
   Threads threads = {};  ///< for scattering grains and spots; the result does not depend on them
 };
+
+/// Those of the surfaces on which grains, spots and places are seated: more detail shows the same ones, only finer.
+inline SweepOptions for_placing(SweepOptions options) {
+  options.detail = std::min(options.detail, 1.0);
+  return options;
+}
 
 }  // namespace pomona
