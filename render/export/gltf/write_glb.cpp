@@ -74,6 +74,9 @@ void GlbStream::Writer::begin(const Solid& solid, std::size_t levels) {
   waiting_.emplace_back();
   name_ = engine_name(options_.engine, solid.name);
   levels_ = levels;
+  // Of the solid itself: its triangles on an atlas stand in another order, and are divided otherwise.
+  if (!hull_name(options_.engine, name_, 0, 1).empty() && !solid.mesh.triangle.empty())
+    parts_.back() = collision_parts(solid, options_.hulls);
 }
 
 void GlbStream::Writer::add(std::size_t level, const Solid& solid, const StyledMesh& mesh, const BakedSolid* baked) {
@@ -114,7 +117,6 @@ void GlbStream::Writer::add_shapes(const Solid& solid, const std::string& mesh_n
   SolidMeshes& made = solids_.back();
   if (hull_name(options_.engine, mesh_name, 0, 1).empty()) return;
   const bool by_triangles = !is_fruit(solid) && !triangles_name(options_.engine, mesh_name).empty();
-  parts_.back() = collision_parts(solid, options_.hulls, StillShape::parts);
   made.collides_by_triangles = by_triangles;
   if (!by_triangles) waiting_.back() = mesh_name;
   if (waiting_.back().empty() || !solid.origin.entry.empty()) return;

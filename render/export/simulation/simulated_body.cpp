@@ -70,7 +70,7 @@ SimulatedKind kind_of(const Solid& solid, const StyledMesh& mesh, const ExportOp
     kind.visuals.back().name = name + "_" + (group.name.empty() ? "all" : plain_name(group.name));
     kind.visuals.back().opacity = solid.opacity;
   }
-  for (ConvexHull& hull : collision_parts(solid, options.hulls, StillShape::parts)) {
+  for (ConvexHull& hull : collision_parts(solid, options.hulls)) {
     for (glm::vec3& p : hull.position) p -= pivot;
     kind.hulls.push_back({name + "_hull_" + std::to_string(kind.hulls.size() + 1), std::move(hull)});
   }

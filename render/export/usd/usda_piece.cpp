@@ -7,7 +7,6 @@
 #include "generator/mesh/box.h"
 #include "generator/mesh/principal_axes.h"
 #include "generator/piece/piece_facts.h"
-#include "render/export/collision/collision_shape.h"
 #include "render/export/piece_words.h"
 
 namespace pomona::usd {
@@ -271,15 +270,12 @@ void append_hulls(std::string& text, std::span<const ConvexHull> parts, const St
 }
 
 /// Its mesh, or those of its levels of detail, and what it collides with.
-void append_meshes(std::string& text, std::span<const StyledLevel> levels, const glm::vec3& pivot, Looks& looks,
-                   int hulls) {
-  const Solid& solid = levels.front().solid;
-  std::vector<ConvexHull> parts;
-  if (is_fruit(solid) && hulls > 1) parts = collision_parts(solid, hulls, StillShape::triangles);
+void append_meshes(std::string& text, std::span<const StyledLevel> levels, std::span<const ConvexHull> parts,
+                   const glm::vec3& pivot, Looks& looks) {
   append_hulls(text, parts, levels.front(), looks);
-  const Approximation approximation = !parts.empty()    ? Approximation::separate_hulls
-                                      : is_fruit(solid) ? Approximation::convex_hull
-                                                        : Approximation::triangles;
+  const Approximation approximation = !parts.empty()                   ? Approximation::separate_hulls
+                                      : is_fruit(levels.front().solid) ? Approximation::convex_hull
+                                                                       : Approximation::triangles;
   const auto append = [&](std::size_t number, int indent) {
     append_mesh(text, indent, levels[number], pivot, subsets_by_material(levels[number], number, looks), approximation,
                 looks);
@@ -320,8 +316,8 @@ std::string settled_text(const std::string& name, const StyledLevel& level, std:
   return text;
 }
 
-std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
-                       const ExportOptions& options, std::span<const TextureChoice> choices) {
+std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, std::span<const ConvexHull> parts,
+                       Looks& looks, const ExportOptions& options, std::span<const TextureChoice> choices) {
   const Solid& solid = levels.front().solid;
   const PieceFacts facts = facts_of(solid);
   const glm::vec3 pivot = pivot_of(solid);
@@ -343,7 +339,7 @@ std::string piece_text(const std::string& name, std::span<const StyledLevel> lev
   append_inertia(text, facts.inertia);
   line("    token[] semantics:labels:category = [" + quoted(fruit) + "]");
   const std::vector<std::string> own = append_looks(text, levels, looks, !choices.empty());
-  append_meshes(text, levels, pivot, looks, options.hulls);
+  append_meshes(text, levels, parts, pivot, looks);
   if (!choices.empty()) append_texture_choices(text, 2, choices, own);
   line("}");
   return text;

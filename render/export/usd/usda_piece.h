@@ -25,10 +25,11 @@ struct StyledLevel {
 };
 
 /// "def Xform NAME { ... }", a component: its mesh or, for several levels, the variant set LOD; mass, labels, and the
-/// command that makes it again. \param levels the solid first. \param looks receives the materials that it needs.
-/// \param choices of textures for the solid, as the variant set "ripeness", the first selected; or none.
-std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
-                       const ExportOptions& options, std::span<const TextureChoice> choices = {});
+/// command that makes it again. \param levels the solid first. \param parts it collides by; its mesh serves where there
+/// are none. \param looks receives the materials that it needs. \param choices of textures for the solid, as the
+/// variant set "ripeness", the first selected; or none.
+std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, std::span<const ConvexHull> parts,
+                       Looks& looks, const ExportOptions& options, std::span<const TextureChoice> choices = {});
 
 /// A class for one that lies where neighbours leave less room than its piece's hulls take: who inherits it, and refers
 /// to the piece, collides by these parts. \param level the solid, whose looks are known.

@@ -34,10 +34,11 @@ glm::dquat unit(const glm::dquat& q) {
   return length > 0 ? q / length : glm::dquat(1, 0, 0, 0);
 }
 
-/// The shapes of instances that neighbours leave less room than their solids' take.
-struct SettledShapes {
-  std::vector<std::vector<ConvexHull>> hulls;               ///< per instance
-  std::vector<std::vector<std::size_t>> instances_of = {};  ///< of each solid, those that have some
+/// What things collide with in convex parts, found once for classes of pieces and for where they lie.
+struct PieceShapes {
+  std::vector<std::vector<ConvexHull>> parts;               ///< per solid, in place of its mesh; none where that serves
+  std::vector<std::vector<ConvexHull>> settled;             ///< per instance, where neighbours leave less room
+  std::vector<std::vector<std::size_t>> instances_of = {};  ///< of each solid, those that have such
 };
 
 /// The solids' class prims and their names; none for a solid without triangles.
@@ -47,29 +48,34 @@ struct Pieces {
   Looks looks;
   LookPalette palette = {};  ///< of colours in vertices, where looks share a material
   PrimNames names = {};      ///< of all classes
-  SettledShapes settled = {};
+  PieceShapes shapes = {};
   std::vector<std::string> own_name = {};  ///< per instance, of the class with its own shapes; else empty
 };
 
 /// Pieces that welds join, and those of an instancer, have the shapes of their solids.
-SettledShapes settled_shapes(const Scene& scene, const ExportOptions& options) {
-  SettledShapes settled{std::vector<std::vector<ConvexHull>>(scene.instances.size()),
-                        std::vector<std::vector<std::size_t>>(scene.solids.size())};
-  if (options.welded || options.instances || !is_settled(scene)) return settled;
-  std::vector<std::vector<ConvexHull>> parts(scene.solids.size());
-  parallel_for(scene.solids.size(), options.threads,
-               [&](std::size_t i) { parts[i] = collision_parts(scene.solids[i], options.hulls, StillShape::parts); });
-  settled.hulls = settled_hulls(scene, parts, CopiesShare::mesh, options.threads);
-  for (std::size_t i = 0; i < settled.hulls.size(); ++i)
-    if (!settled.hulls[i].empty())
-      settled.instances_of[static_cast<std::size_t>(scene.instances[i].solid)].push_back(i);
-  return settled;
+PieceShapes shapes_of(const Scene& scene, const ExportOptions& options) {
+  const bool lie_settled = !options.welded && !options.instances && is_settled(scene);
+  const auto has_parts = [&](const Solid& solid) { return options.hulls > 1 && is_fruit(solid); };
+  PieceShapes shapes{std::vector<std::vector<ConvexHull>>(scene.solids.size()),
+                     std::vector<std::vector<ConvexHull>>(scene.instances.size()),
+                     std::vector<std::vector<std::size_t>>(scene.solids.size())};
+  parallel_for(scene.solids.size(), options.threads, [&](std::size_t i) {
+    if (lie_settled || has_parts(scene.solids[i])) shapes.parts[i] = collision_parts(scene.solids[i], options.hulls);
+  });
+  if (!lie_settled) return shapes;
+  shapes.settled = settled_hulls(scene, shapes.parts, CopiesShare::mesh, options.threads);
+  for (std::size_t i = 0; i < scene.solids.size(); ++i)
+    if (!has_parts(scene.solids[i])) shapes.parts[i].clear();
+  for (std::size_t i = 0; i < shapes.settled.size(); ++i)
+    if (!shapes.settled[i].empty())
+      shapes.instances_of[static_cast<std::size_t>(scene.instances[i].solid)].push_back(i);
+  return shapes;
 }
 
 /// What pieces of the scene begin with.
 Pieces begun_pieces(const Scene& scene, const ExportOptions& options) {
   Pieces pieces;
-  pieces.settled = settled_shapes(scene, options);
+  pieces.shapes = shapes_of(scene, options);
   pieces.own_name.resize(scene.instances.size());
   return pieces;
 }
@@ -78,11 +84,12 @@ Pieces begun_pieces(const Scene& scene, const ExportOptions& options) {
 void add_text(Pieces& pieces, std::size_t number, std::span<const StyledLevel> levels, const ExportOptions& options,
               std::span<const TextureChoice> choices = {}) {
   const std::string& name = pieces.name[number];
-  pieces.text += piece_text(name, levels, pieces.looks, options, choices);
-  for (const std::size_t instance : pieces.settled.instances_of[number]) {
+  const PieceShapes& shapes = pieces.shapes;
+  pieces.text += piece_text(name, levels, shapes.parts[number], pieces.looks, options, choices);
+  for (const std::size_t instance : shapes.instances_of[number]) {
     pieces.own_name[instance] = pieces.names.name_for(name + "_settled");
     pieces.text +=
-        settled_text(pieces.own_name[instance], levels.front(), pieces.settled.hulls[instance], pieces.looks, options);
+        settled_text(pieces.own_name[instance], levels.front(), shapes.settled[instance], pieces.looks, options);
   }
 }
 

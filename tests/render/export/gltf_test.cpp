@@ -436,6 +436,22 @@ TEST(Gltf, ShapesOfSettledPiecesLeaveRoomForEachOther) {
   EXPECT_EQ(unreal["meshes"].size(), 6u) << "a shape belongs to a mesh";
 }
 
+/// On an atlas triangles stand in another order, which would divide a piece otherwise: here one shows which is asked.
+TEST(Gltf, ShapesAreThoseOfTheSolidWithTexturesToo) {
+  const Scene scene = named::settled_balls();
+  std::vector<BakedSolid> baked;
+  for (const Solid& solid : scene.solids) {
+    BakedSolid one{.solid = solid, .uv = {}, .texture = {1, 1, {glm::u8vec3(9)}}};
+    one.uv.resize(solid.mesh.position.size(), {0.25f, 0.25f});
+    for (glm::vec3& p : one.solid.mesh.position) p *= 0.5f;
+    baked.push_back(std::move(one));
+  }
+  const Json gltf = parsed(write_glb(scene, baked, {.engine = Engine::godot}));
+  const Json hull = gltf["meshes"][node_called(gltf, "ball-4-convcolonly")["mesh"].get<int>()];
+  const Json position = gltf["accessors"][hull["primitives"][0]["attributes"]["POSITION"].get<int>()];
+  EXPECT_NEAR(position["max"][0], 0.01, 1e-6);
+}
+
 TEST(Gltf, ForBlenderLevelsLieSideBySide) {
   const Scene scene = grouped_boxes();
   std::vector<std::vector<Solid>> levels(scene.solids.size());

@@ -79,7 +79,7 @@ TEST(HullsApart, NothingIsLostThatAnotherSwallows) {
 TEST(SettledHulls, PiecesLeaveRoomForEachOther) {
   Scene scene = named::settled_balls();
   std::vector<std::vector<ConvexHull>> parts;
-  for (const Solid& solid : scene.solids) parts.push_back(collision_parts(solid, 1, StillShape::parts));
+  for (const Solid& solid : scene.solids) parts.push_back(collision_parts(solid, 1));
   const auto place = [&](std::size_t i) { return scene.instances[i].pose.translation; };
   EXPECT_GT(deepest(parts[1][0], place(1), parts[0][0], place(0)), 1e-3);
   const auto own = settled_hulls(scene, parts, CopiesShare::mesh, {2});

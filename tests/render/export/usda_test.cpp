@@ -175,6 +175,28 @@ std::vector<BakedSolid> on_atlases(const Scene& scene) {
   return baked;
 }
 
+/// The points of all convex parts, in their order.
+std::vector<std::string> hull_points(const std::string& text) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find("def Mesh \"hull_"); at != std::string::npos;
+       at = text.find("def Mesh \"hull_", at)) {
+    at = text.find("point3f[] points", at);
+    found.push_back(text.substr(at, text.find('\n', at) - at));
+  }
+  return found;
+}
+
+/// On an atlas triangles stand in another order, which would divide a piece otherwise: here one shows which is asked.
+TEST(Usda, ShapesAreThoseOfTheSolidWithTexturesToo) {
+  const Scene scene = named::settled_balls();
+  std::vector<BakedSolid> baked = on_atlases(scene);
+  for (BakedSolid& one : baked)
+    for (glm::vec3& p : one.solid.mesh.position) p *= 0.5f;
+  const std::vector<std::string> plain = hull_points(write_usda(scene, {.hulls = 4}));
+  EXPECT_GE(plain.size(), 7u) << "three balls, and four places";
+  EXPECT_EQ(hull_points(write_usda(scene, baked, "balls", {.hulls = 4}).text), plain);
+}
+
 TEST(Usda, ColoursInTexturesAreChosenByVariants) {
   const Scene scene = named::with_materials();
   const std::vector<BakedSolid> baked = on_atlases(scene);
