@@ -18,6 +18,12 @@ fs::path plain(const fs::path& path) {
 
 }  // namespace
 
+Error told_where_named(const Error& error, const SourcePlace& place) {
+  const Diagnostic& what = error.diagnostics().front();
+  const std::string file = what.place.file.empty() ? "" : what.place.file + ": ";
+  return Error(error.status(), {{place, file + what.message, what.hint}});
+}
+
 std::optional<fs::path> found_beside(const fs::path& file, const std::string& path) {
   std::error_code ignored;
   fs::path beside = file.parent_path() / path;

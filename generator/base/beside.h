@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "generator/base/error.h"
+
 namespace pomona {
 
 /// The file that `file` names by a path from its folder, if it is there.
@@ -19,5 +21,8 @@ std::string style_beside(const std::filesystem::path& file, const std::string& s
 /// A path of the command line as a word of a command that is typed in the folder. An absolute one keeps its name alone,
 /// so that nothing tells of the machine. "" is the current folder.
 std::string word_from(const std::filesystem::path& folder, const std::string& path);
+
+/// An error about something that a file names, told where it is named.
+Error told_where_named(const Error& error, const SourcePlace& place);
 
 }  // namespace pomona

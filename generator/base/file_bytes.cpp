@@ -1,11 +1,14 @@
 #include "generator/base/file_bytes.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
+#include <vector>
 
 #include "generator/base/error.h"
 #include "generator/base/first_bytes.h"
+#include "generator/base/nearest_name.h"
 
 namespace pomona {
 
@@ -16,7 +19,28 @@ std::string in_units(std::size_t bytes) {
   return bytes >= mib ? std::to_string(bytes / mib) + " MiB" : std::to_string(bytes >> 10) + " KiB";
 }
 
+/// The names, without this ending, of the files that have it; of a crowded folder only the first.
+std::vector<std::string> stems_in(const std::filesystem::path& folder, const std::filesystem::path& ending) {
+  constexpr std::size_t most = 2000;
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, failed), end;
+       !failed && entry != end && names.size() < most; entry.increment(failed))
+    if (entry->path().extension() == ending) names.push_back(entry->path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 }  // namespace
+
+std::string near_file_hint(const std::filesystem::path& missing) {
+  constexpr std::size_t shortest = 3;  // a shorter name is near every other
+  const std::string name = missing.stem().string();
+  if (name.size() < shortest) return {};
+  const auto near = nearest_name(name, stems_in(missing.parent_path(), missing.extension()));
+  if (!near || *near == name) return {};
+  return "did you mean " + *near + missing.extension().string() + "?";
+}
 
 std::string why_no_file(const std::filesystem::path& file) {
   std::error_code wrong;

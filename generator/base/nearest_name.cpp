@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pomona {
 
@@ -40,6 +41,7 @@ std::optional<std::string> nearest_name(const std::string& name, const std::vect
   constexpr std::size_t longest = 64;
   if (name.size() > longest) return std::nullopt;
   std::size_t best = std::max<std::size_t>(1, (name.size() + 1) / 3) + 1;
+  std::size_t best_longer = 0;  // of equally near ones the one of the most similar length: letters change places often
   std::optional<std::string> nearest;
   const std::string small = in_small_letters(name);
   for (const std::string& candidate : known) {
@@ -47,12 +49,23 @@ std::optional<std::string> nearest_name(const std::string& name, const std::vect
     const auto [shorter, longer] = std::minmax({small.size(), candidate.size()});
     if (longer - shorter >= best) continue;
     const std::size_t distance = edit_distance(small, in_small_letters(candidate));
-    if (distance < best) {
+    if (std::pair(distance, longer - shorter) < std::pair(best, best_longer)) {
       best = distance;
+      best_longer = longer - shorter;
       nearest = candidate;
     }
   }
   return nearest;
+}
+
+std::string name_hint(const std::string& name, std::vector<std::string> known) {
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  if (known.empty()) return {};
+  if (const auto near = nearest_name(name, known)) return "did you mean \"" + *near + "\"?";
+  std::string all;
+  for (const std::string& each : known) all += (all.empty() ? "" : ", ") + each;
+  return "known here: " + all;
 }
 
 }  // namespace pomona

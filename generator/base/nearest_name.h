@@ -11,4 +11,7 @@ namespace pomona {
 /// five. Capitals count as small letters.
 std::optional<std::string> nearest_name(const std::string& name, const std::vector<std::string>& known);
 
+/// "did you mean ...?" if a known name is near, else all known names; empty if none is known.
+std::string name_hint(const std::string& name, std::vector<std::string> known);
+
 }  // namespace pomona

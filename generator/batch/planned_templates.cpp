@@ -20,8 +20,7 @@ fs::path template_file(const TemplateWanted& wanted, const TemplateSource& sourc
     const fs::path file = beside ? *beside : source.find(wanted.name);
     if (small_ending(file) != ".ply") return file;
   } catch (const Error& error) {
-    const Diagnostic& what = error.diagnostics().front();
-    throw Error(error.status(), {{wanted.place, what.message, what.hint}});
+    throw told_where_named(error, wanted.place);
   }
   throw Error(ExitStatus::bad_data, {{wanted.place, "\"" + wanted.name + "\" holds surfaces, which have no variants",
                                       "a template takes them as a [[mesh]] (docs/guides/import.md)"}});

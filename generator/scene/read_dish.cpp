@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/base/nearest_name.h"
 #include "generator/base/path_within.h"
 #include "generator/base/small_ending.h"
 #include "generator/template/read/read_paint.h"
@@ -109,8 +110,14 @@ DishDescription read_dish(const TomlTable& unnamed, const std::filesystem::path&
   const TomlValue whole = table.get("part_of");
   dish.part_of = whole.text();
   const auto same = [&](const DishDescription& other) { return other.name == dish.part_of && other.part_of.empty(); };
-  if (!dish.part_of.empty() && std::none_of(before.begin(), before.end(), same))
-    whole.error("names no dish before this one that stands alone", "name it further up, or leave \"part_of\" out");
+  if (!dish.part_of.empty() && std::none_of(before.begin(), before.end(), same)) {
+    std::vector<std::string> known;
+    for (const DishDescription& other : before)
+      if (other.part_of.empty()) known.push_back(other.name);
+    const auto near = nearest_name(dish.part_of, known);
+    whole.error("names no dish before this one that stands alone",
+                near ? "did you mean \"" + *near + "\"?" : "name it further up, or leave \"part_of\" out");
+  }
   return dish;
 }
 

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/nearest_name.h"
 #include "generator/knife/read_knife.h"
 #include "generator/order/option_key.h"
 #include "generator/scene/read_dish.h"
@@ -162,6 +163,13 @@ class SceneReader {
   }
 
   /// Reads the dish in or on which the pieces lie.
+  /// \param name of none of them.
+  std::string hint_of_dishes(const std::string& name) const {
+    std::vector<std::string> known;
+    for (const DishDescription& dish : scene_.dishes) known.push_back(dish.name);
+    return known.empty() ? "describe it: [[dishes]]" : name_hint(name, known);
+  }
+
   void read_dish_of(const TomlTable& table, PiecesDescription& pieces) {
     const TomlValue in = table.get("in"), on = table.get("on");
     if (in.given() && on.given()) on.error("and \"in\" exclude each other", "keep one of them");
@@ -177,7 +185,7 @@ class SceneReader {
     const auto same = [&](const DishDescription& dish) { return dish.name == pieces.dish; };
     const auto dish = std::find_if(scene_.dishes.begin(), scene_.dishes.end(), same);
     if (dish == scene_.dishes.end()) {
-      if (named.is(TomlNode::Kind::string)) named.error("names no dish of this scene", "describe it: [[dishes]]");
+      if (named.is(TomlNode::Kind::string)) named.error("names no dish of this scene", hint_of_dishes(pieces.dish));
       return;
     }
     if (!dish->part_of.empty())

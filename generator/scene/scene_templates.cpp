@@ -19,8 +19,7 @@ std::filesystem::path template_file(const SceneDescription& scene, const PiecesD
   try {
     if (options.find_template) return options.find_template(pieces.template_name);
   } catch (const Error& error) {
-    const Diagnostic& what = error.diagnostics().front();
-    throw Error(error.status(), {{pieces.template_place, what.message, what.hint}});
+    throw told_where_named(error, pieces.template_place);
   }
   throw Error(ExitStatus::input_missing,
               {{pieces.template_place, "there is no template \"" + pieces.template_name + "\"", {}}});

@@ -58,20 +58,6 @@ const char* kind_name(TomlNode::Kind kind) {
   return "a table";
 }
 
-/// "did you mean ...?" if a known name is similar, else all known names.
-std::string name_hint(const std::string& unknown, std::vector<std::string> known) {
-  std::sort(known.begin(), known.end());
-  known.erase(std::unique(known.begin(), known.end()), known.end());
-  if (known.empty()) return {};
-  constexpr std::size_t longest_name = 64;  // longer names are no misspellings, and the search is quadratic
-  if (unknown.size() <= longest_name) {
-    if (const auto near = nearest_name(unknown, known)) return "did you mean \"" + *near + "\"?";
-  }
-  std::string all;
-  for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
-  return "known here: " + all;
-}
-
 /// Reports the keys that nobody has read in every opened table.
 void note_unknown(const TomlNode& node, TomlState& state) {
   for (const TomlEntry& entry : node.entries) {

@@ -37,6 +37,14 @@ TEST(NearestName, IsNoFartherThanAThirdOfTheWord) {
   EXPECT_EQ(nearest_name("HALF", {"bite", "half"}), "half") << "capitals are no mistakes";
   EXPECT_EQ(nearest_name("halve", {"bite", "half"}), "half") << "two letters of five";
   EXPECT_EQ(nearest_name("first", {"firsts", "fists"}), "firsts") << "the first of those that are as near";
+  EXPECT_EQ(nearest_name("parst", {"part", "parts"}), "parts") << "of those that are as near, the one as long";
+  EXPECT_EQ(nearest_name("parst", {"parts", "part"}), "parts");
+}
+
+TEST(NameHint, IsTheNearestOrAll) {
+  EXPECT_EQ(name_hint("skni", {"stone", "skin"}), "did you mean \"skin\"?");
+  EXPECT_EQ(name_hint("leaf", {"stone", "skin", "stone"}), "known here: skin, stone");
+  EXPECT_EQ(name_hint("leaf", {}), "");
 }
 
 }  // namespace

@@ -17,9 +17,10 @@ SOURCE = pathlib.Path(sys.argv[1]).resolve()
 SCHEMA = json.loads((SOURCE / "scenes/scene.schema.json").read_text())
 
 # What only a reader of profiles and knives, or one that compares entries or numbers with each other, can know.
-BEYOND = {"bad_knife", "dish_part_of_none", "in_no_dish", "not_toml", "on_what_others_are_in", "profile_crosses_itself",
-          "profile_far_up", "profile_is_no_path", "profile_off_axis", "profile_upside_down", "ripeness_range_empty",
-          "same_name_twice", "share_of_no_total", "too_many_copies", "too_many_pieces", "total_without_shares"}
+BEYOND = {"bad_knife", "dish_part_of_mistyped", "dish_part_of_none", "in_mistyped_dish", "in_no_dish", "not_toml",
+          "on_what_others_are_in", "profile_crosses_itself", "profile_far_up", "profile_is_no_path",
+          "profile_off_axis", "profile_upside_down", "ripeness_range_empty", "same_name_twice", "share_of_no_total",
+          "too_many_copies", "too_many_pieces", "total_without_shares"}
 
 
 def keys_of(schema):

@@ -1,6 +1,7 @@
 // The counts of [variation]: good.toml with more at its end.
 #include <gtest/gtest.h>
 
+#include "generator/base/error.h"
 #include "tests/template/plum.h"
 
 namespace pomona {
@@ -37,6 +38,15 @@ TEST(ReadCounts, MistakesAreFoundWhereTheyAre) {
       {"[variation]\npresent = 0.5\n", 2, 11, "must be a table"},
   };
   expect_found(mistakes);
+}
+
+TEST(ReadCounts, ASurfaceThatIsMistypedIsSuggested) {
+  try {
+    plum_and("[variation]\npresent = { stnoe = 0.5 }\n");
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.diagnostics().front().hint, "did you mean \"stone\"?");
+  }
 }
 
 }  // namespace

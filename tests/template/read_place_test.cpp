@@ -124,6 +124,14 @@ TEST_F(ReadPlace, what_is_missing_is_told_alone) {
   EXPECT_THAT(fault("bunch"), testing::Not(testing::HasSubstr("unknown key")));
 }
 
+TEST_F(ReadPlace, near_names_are_suggested) {
+  write("grape", "");
+  write("file", place_of("grap.toml"));
+  EXPECT_THAT(fault("file"), testing::HasSubstr("did you mean grape.toml?"));
+  write("part", place_of("grape.toml", "merge = { skni = \"skin\" }\n"));
+  EXPECT_THAT(fault("part"), testing::HasSubstr("did you mean \"skin\"?"));
+}
+
 TEST(ReadPlaceMistakes, are_found) {
   constexpr std::array mistakes{
       Mistake{

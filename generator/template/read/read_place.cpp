@@ -4,8 +4,10 @@
 #include <string>
 #include <utility>
 
+#include "generator/base/nearest_name.h"
 #include "generator/base/path_within.h"
 #include "generator/base/small_ending.h"
+#include "generator/template/read/file_beside.h"
 #include "generator/template/read/placed_parts.h"
 #include "generator/template/read/read_law.h"
 #include "generator/template/read/read_stops.h"
@@ -51,7 +53,7 @@ std::shared_ptr<const Template> read_placed(const TomlValue& value, const Placed
     return std::make_shared<const Template>(read_placed_template(file, within));
   } catch (const Error& error) {
     if (error.status() != ExitStatus::input_missing) throw;
-    value.error("cannot be read: " + error.diagnostics().front().message, "put the file beside the template");
+    value.error("cannot be read: " + error.diagnostics().front().message, hint_for_missing(file));
     return {};
   }
 }
@@ -129,7 +131,7 @@ MergedParts read_merged(const TomlTable& table, const Template& fruit, const Tem
   for (const std::string& part : table.keys()) {
     const TomlValue value = table.get(part);
     if (std::find(placed.parts.begin(), placed.parts.end(), part) == placed.parts.end())
-      value.error("is no part of what is placed", "its parts are those of its own file");
+      value.error("is no part of what is placed", name_hint(part, placed.parts));
     const int as = value.choice(fruit.parts);
     merged[part] = fruit.parts[static_cast<std::size_t>(as)];
   }

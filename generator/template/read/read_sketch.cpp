@@ -3,6 +3,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "generator/base/file_bytes.h"
 #include "generator/base/path_within.h"
 #include "generator/template/read/sketch.h"
 
@@ -23,7 +24,9 @@ fs::path find_svg(const fs::path& folder, const std::string& name) {
   }
   std::error_code wrong;
   if (!fs::is_regular_file(file, wrong)) {
-    throw BadSketch(quoted + " cannot be read", "put it beside the template; `pomona sketch` writes one to start from");
+    const std::string near = near_file_hint(file);
+    throw BadSketch(quoted + " cannot be read",
+                    near.empty() ? "put it beside the template; `pomona sketch` writes one to start from" : near);
   }
   const std::uintmax_t bytes = fs::file_size(file, wrong);
   if (wrong || bytes > max_bytes) {

@@ -6,6 +6,9 @@
 #include <string>
 #include <variant>
 
+#include "generator/base/nearest_name.h"
+#include "generator/template/read/surface_names.h"
+
 namespace pomona {
 
 namespace {
@@ -62,7 +65,8 @@ std::vector<CountVariation::Presence> read_presence(const TomlTable& table, cons
     }
     const auto known = std::find_if(fruit.surfaces.begin(), fruit.surfaces.end(),
                                     [&](const SurfaceSketch& surface) { return surface.name == name; });
-    if (known == fruit.surfaces.end()) value.error("is not the name of a surface");
+    if (known == fruit.surfaces.end())
+      value.error("is not the name of a surface", name_hint(name, surface_names(fruit)));
     present.push_back({static_cast<int>(known - fruit.surfaces.begin()), value.number(1, {0, 1})});
   }
   return present;
