@@ -17,6 +17,7 @@
 #include "cli/sketch/picture_file.h"
 #include "generator/base/json_text.h"
 #include "generator/base/printable.h"
+#include "generator/base/small_ending.h"
 #include "render/compare/comparison.h"
 #include "render/compare/comparison_page.h"
 #include "render/compare/heat_map.h"
@@ -44,14 +45,19 @@ Tolerance tolerance_of(const CompareCommand& command) {
   Tolerance tolerance;
   if (command.tolerance == "close") {
     tolerance = close_tolerance;
-  } else if (command.tolerance != "exact") {
-    throw Error(ExitStatus::usage, "--tolerance " + command.tolerance + ": there are exact and close");
   }
   tolerance.usual = command.usual.value_or(tolerance.usual);
   tolerance.exceptions = command.exceptions ? *command.exceptions / 100 : tolerance.exceptions;
   tolerance.never = command.never.value_or(tolerance.never);
   tolerance.flip = command.flip.value_or(tolerance.flip);
   return tolerance;
+}
+
+/// Refuses a name whose ending says something else than what is written.
+void check_ending(const char* option, const std::string& file, const std::string& ending) {
+  if (file.empty() || small_ending(file) == ending) return;
+  throw Error(ExitStatus::usage, std::string(option) + " " + file + ": it is written as " + ending,
+              "give it a name that ends so");
 }
 
 /// The requested files; their folders were checked before the work.
@@ -84,6 +90,8 @@ void say(const CompareCommand& command, const Comparison& found) {
 
 ExitStatus compare(const CompareCommand& command) {
   const Tolerance tolerance = tolerance_of(command);
+  check_ending("--map", command.map, ".png");
+  check_ending("--html", command.html, ".html");
   for (const std::string& output : {command.map, command.html}) {
     if (!output.empty()) check_folder(output);
   }
@@ -115,7 +123,7 @@ DeclaredCommand compare_command(CLI::App& app) {
   command
       ->add_option("--tolerance", options->tolerance,
                    "exact (the default), or close: what OpenGL's drivers and POV-Ray may differ by")
-      ->type_name("TEXT:{exact,close}");
+      ->check(one_of({"exact", "close"}));
   command->add_option("--usual", options->usual, "Difference, of 255, that any pixel may have")
       ->check(whole_between(0, 255));
   command->add_option("--exceptions", options->exceptions, "Percentage of pixels that may differ by more")

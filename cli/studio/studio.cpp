@@ -10,6 +10,7 @@
 
 #include "cli/command.h"
 #include "cli/deliver/outputs.h"
+#include "cli/options/file_kind.h"
 #include "cli/options/find_template.h"
 #include "cli/options/program_folders.h"
 #include "cli/sketch/copy_beside.h"
@@ -49,6 +50,16 @@ Opened new_fruit(const fs::path& toml, const StudioCommand& command) {
           std::move(made.pictures)};
 }
 
+/// The text of a template. \throws Error (bad_data) for a file of another kind
+std::string template_text(const fs::path& file) {
+  if (small_ending(file) == ".ply")
+    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, {}},
+                                        "holds surfaces, and no curves that could be drawn",
+                                        "the studio opens templates (.toml)"}});
+  check_kind(file, FileKind::fruit);
+  return read_toml_text(file);
+}
+
 /// The template's meshes, which the studio does not hold as text, with their paths in `folder`.
 std::vector<OutputFile> meshes_for_copy(const fs::path& original, const fs::path& folder) {
   std::vector<OutputFile> copies;
@@ -76,7 +87,7 @@ std::vector<OutputFile> placed_for_copy(const Template& fruit, const fs::path& h
 
 /// Opens a copy of one of the program's own fruits: saving writes it into the current folder.
 Opened copy_of(const fs::path& original) {
-  const std::string toml = read_toml_text(original);
+  const std::string toml = template_text(original);
   const Workspace texts(workspace_files(original, toml), {});
   const fs::path here = original.filename();
   std::vector<OutputFile> beside = meshes_for_copy(original, {});
@@ -92,9 +103,9 @@ Opened opened(const StudioCommand& command) {
   if (command.starting.is_told())
     throw Error(ExitStatus::usage, "--picture and --folds are for a fruit that is not there yet",
                 "choose another name, or leave them out");
-  if (is_path) return {workspace_files(file, read_toml_text(file)), {}, {}};
+  if (is_path) return {workspace_files(file, template_text(file)), {}, {}};
   const fs::path own = file.string() + ".toml";
-  if (fs::exists(own)) return {workspace_files(own, read_toml_text(own)), {}, {}};
+  if (fs::exists(own)) return {workspace_files(own, template_text(own)), {}, {}};
   return copy_of(find_template(command.fruit));
 }
 

@@ -83,6 +83,9 @@ HashTable parse_hash_table(std::string_view text, const std::string& file) {
     if (!table.insert(std::move(*read)).second)
       throw Error(ExitStatus::bad_data, {{{file, number, 1, {}}, "is a cut that an earlier line has", {}}});
   }
+  if (table.empty())
+    throw Error(ExitStatus::bad_data,
+                {{{file, 1, 1, {}}, "holds no hashes", "`pomona verify -o FILE` writes a table"}});
   return table;
 }
 

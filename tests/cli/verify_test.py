@@ -94,6 +94,7 @@ class Verify(unittest.TestCase):
         self.assertIn("did you mean cherry?", error("chery", self.table(self.line), status=66))
         self.assertIn('no template "chert"', error("--all", self.table(self.line.replace("cherry", "chert")), status=66))
         self.assertIn("table.txt:2:1: error:", error(self.table(self.line.replace("half", "hlaf")), status=65))
+        self.assertIn("table.txt:1:1: error: holds no hashes", error(self.table(), status=65))
         self.assertIn("no such file", error("--table", "missing.txt", status=66))
         self.assertIn("is a folder", error("--table", ".", status=66))
         error("-o", "x.txt", "--table", "made.txt", status=64)
