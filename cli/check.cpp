@@ -1,4 +1,4 @@
-// pomona check: all errors of templates, scenes, styles and surface files at once.
+// pomona check: all errors of files that people write, and of those that these name, at once.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -51,21 +51,6 @@ struct CheckCommand {
   bool json = false;
   bool quiet = false;
 };
-
-/// A template by its name, else a scene, a batch or a style; or a path.
-std::filesystem::path find_known(const std::string& name) {
-  try {
-    return find_template(name);
-  } catch (const Error&) {
-    for (const char* kind : {"scenes", "styles"}) {
-      const std::vector<std::filesystem::path> files = own_files(kind);
-      const auto same = [&](const std::filesystem::path& file) { return file.stem() == name; };
-      const auto file = std::find_if(files.begin(), files.end(), same);
-      if (file != files.end()) return *file;
-    }
-    throw;
-  }
-}
 
 /// Checks a drawing: whether it can be read, and its curves.
 void check_drawing(const std::filesystem::path& file) {
@@ -183,7 +168,7 @@ ExitStatus check(const CheckCommand& command) {
   ExitStatus status = ExitStatus::done;
   for (const std::string& name : command.files) {
     try {
-      const std::filesystem::path file = find_known(name);
+      const std::filesystem::path file = find_any_file(name);
       for (const std::string& warning : check_file(file)) {
         Diagnostic diagnostic;
         diagnostic.place.file = file.string();
@@ -209,12 +194,12 @@ ExitStatus check(const CheckCommand& command) {
 }  // namespace
 
 DeclaredCommand check_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("check", "Check templates, scenes, batches, styles and surface files; all errors at once");
+  CLI::App* command = app.add_subcommand(
+      "check", "Check templates, scenes, batches, data sets, styles and surface files; all errors at once");
   const auto options = std::make_shared<CheckCommand>();
   command
       ->add_option("FILE", options->files,
-                   "Names from `pomona list` and `list --scenes`, templates, scenes, batches, styles, surface files "
+                   "Templates, scenes, batches, data sets and styles, or their names from `pomona list`; surface files "
                    "(.ply), and what "
                    "these name: meshes (.obj, .glb), drawings (.svg), layouts (.json), pictures (.png)")
       ->required();

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -103,18 +104,52 @@ std::optional<std::string> command_with(const NamedCommand& named, const std::st
   return {};
 }
 
+/// The commands that have an option of this name, by the words that call them: "pomona cut".
+std::vector<std::string> commands_having(const CLI::App& app, const std::string& option, const std::string& words) {
+  std::vector<std::string> having;
+  const std::vector<std::string> known = option_names(app);
+  if (std::find(known.begin(), known.end(), option) != known.end()) having.push_back(words);
+  for (const CLI::App* part : app.get_subcommands({}))
+    for (std::string& each : commands_having(*part, option, words + " " + part->get_name()))
+      having.push_back(std::move(each));
+  return having;
+}
+
+/// What may be meant by an option that the command does not have: one of its own, with another dash; the same of other
+/// commands; or a near one.
+std::string meant_by(const std::string& option, const std::vector<std::string>& known, const CLI::App& app) {
+  if (std::find(known.begin(), known.end(), option) != known.end()) return "did you mean " + option + "? ";
+  const std::vector<std::string> having = commands_having(app, option, "pomona");
+  if (!having.empty()) return "it is an option of " + joined(having, ", ") + "; ";
+  const auto near = nearest_name(option, known);
+  return near ? "did you mean " + *near + "? " : "";
+}
+
+/// A word such as "-seed" or "-v", which is not read as letters that are options each.
+bool is_unknown_short(const std::string& word, const CLI::App& app) {
+  if (word.size() < 2 || word[0] != '-' || std::isalpha(static_cast<unsigned char>(word[1])) == 0) return false;
+  const std::vector<const CLI::Option*> options = app.get_options();
+  return std::none_of(options.begin(), options.end(), [&](const CLI::Option* option) {
+    const std::vector<std::string>& letters = option->get_snames();
+    return std::find(letters.begin(), letters.end(), word.substr(1, 1)) != letters.end();
+  });
+}
+
 /// A mistyped option is reported first, because the option that was meant may then count as missing.
-std::optional<std::string> fault_of_options(const NamedCommand& named, const std::vector<std::string>& arguments) {
+std::optional<std::string> fault_of_options(const CLI::App& app, const NamedCommand& named,
+                                            const std::vector<std::string>& arguments) {
   const std::vector<std::string> known = option_names(*named.app);
   for (std::size_t i = static_cast<std::size_t>(named.next); i < arguments.size() && arguments[i] != "--"; ++i) {
     const std::string word = arguments[i].substr(0, arguments[i].find('='));
+    if (is_unknown_short(word, *named.app))
+      return "error: there is no option " + word + "\n  hint: " + meant_by("-" + word, known, app) + "see `" +
+             named.words + " -h`";
     if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
     if (const auto command = command_with(named, word, arguments))
       return "error: " + word + " stands before the command\n  hint: it belongs behind it: `" + named.words + " " +
              *command + " ... " + word + "`";
-    const auto near = nearest_name(word, known);
-    return "error: there is no option " + word + "\n  hint: " + (near ? "did you mean " + *near + "? " : "") + "see `" +
-           named.words + " -h`";
+    return "error: there is no option " + word + "\n  hint: " + meant_by(word, known, app) + "see `" + named.words +
+           " -h`";
   }
   return {};
 }
@@ -123,7 +158,7 @@ std::optional<std::string> fault_of_options(const NamedCommand& named, const std
 std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& arguments) {
   const NamedCommand named = named_command(app, arguments);
   if (const auto fault = fault_of_command(named, arguments)) return *fault;
-  if (const auto fault = fault_of_options(named, arguments)) return *fault;
+  if (const auto fault = fault_of_options(app, named, arguments)) return *fault;
   std::string what = error.what();
   const std::size_t too_often = what.find(": At Most 1 required");
   if (too_often != std::string::npos) what = what.substr(0, too_often) + " is given more than once";

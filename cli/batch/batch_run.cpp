@@ -11,6 +11,7 @@
 #include "cli/batch/summary/report.h"
 #include "cli/batch/update.h"
 #include "cli/batch/wanted_batch.h"
+#include "cli/deliver/outputs.h"
 #include "cli/options/option_checks.h"
 
 namespace pomona {
@@ -30,7 +31,7 @@ bool holds_anything(const fs::path& folder) {
 void check_folder_of(const fs::path& folder, const std::string& record, const RunWords& words, const ItemWork& work,
                      const Shard& shard) {
   std::error_code failed;
-  if (!fs::exists(folder, failed)) return;
+  if (!fs::exists(folder, failed)) return check_folder_there(folder.has_filename() ? folder : folder.parent_path());
   const auto refuse = [&](const std::string& why, const std::string& hint) {
     throw Error(ExitStatus::cannot_create, {{{folder.string(), 0, 0, {}}, why, hint}});
   };
@@ -92,6 +93,7 @@ ExitStatus made_in_folder(ItemWork& work, const RunOfItems& run, const RunWords&
 void add_run_options(CLI::App& command, RunWords& words) {
   command.add_option("-o,--output", words.output, "The folder to make them in; made if it is not there")
       ->type_name("FOLDER")
+      ->check(folder_name())
       ->required();
 
   // Which of them, and how many at once.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "generator/base/error.h"
+#include "generator/base/shell_words.h"
 
 namespace fs = std::filesystem;
 
@@ -22,15 +23,28 @@ bool has_control_character(const std::string& name) {
   return std::any_of(name.begin(), name.end(), [](unsigned char byte) { return byte < 0x20 || byte == 0x7f; });
 }
 
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+/// An ending as formats are called: ".png" is "png".
+std::string without_dot(const std::string& ending) { return ending.substr(ending.starts_with('.') ? 1 : 0); }
+
 }  // namespace
 
-void check_folder(const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+void check_folder_there(const fs::path& file) {
+  const fs::path folder = folder_of(file);
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) {
     throw Error(ExitStatus::cannot_create,
-                {{{file.string(), 0, 0, {}}, "its folder does not exist", "mkdir -p " + folder.string()}});
+                {{{file.string(), 0, 0, {}},
+                  "its folder does not exist",
+                  unread_home_hint(folder.string()).value_or("mkdir -p " + shell_word(folder.string()))}});
   }
+}
+
+void check_folder(const fs::path& file) {
+  check_folder_there(file);
+  const fs::path folder = folder_of(file);
+  std::error_code ignored;
   const int refused = fs::is_directory(file, ignored) ? EISDIR : access(folder.c_str(), W_OK) != 0 ? errno : 0;
   if (refused != 0) {
     const std::string why = std::error_code(refused, std::generic_category()).message();
@@ -48,9 +62,8 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
       throw Error(ExitStatus::usage, "-o - is standard output, which has no ending",
                   "add --format glb, or another one");
     const fs::path file = name;
-    const std::string ending = file.extension().string();
     const std::optional<Format> wanted =
-        format_called(to_standard_output ? format : ending.substr(ending.empty() ? 0 : 1));
+        format_called(without_dot(to_standard_output ? format : file.extension().string()));
     if (!to_standard_output && file.extension().empty())
       throw Error(ExitStatus::usage, "-o \"" + name + "\": it has no ending, which would say what to write",
                   "this command writes " + endings_of(allowed));

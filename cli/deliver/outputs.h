@@ -30,6 +30,9 @@ void check_aov(const Order& order);
 /// or with several .glb; (cannot_create)
 void check_maps_dir(const Order& order);
 
+/// Refuses a path in a missing folder. \throws Error (cannot_create)
+void check_folder_there(const std::filesystem::path& file);
+
 /// Refuses a missing or read-only folder before minutes of work. \throws Error (cannot_create)
 void check_folder(const std::filesystem::path& file);
 

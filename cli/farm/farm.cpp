@@ -163,6 +163,7 @@ void declare_job(CLI::App& command, JobOptions& options) {
       ->required();
   command.add_option("-o,--output", options.output, "The folder to make the batch in, for all machines the same")
       ->type_name("FOLDER")
+      ->check(folder_name())
       ->required();
   command.add_option("--tasks", options.tasks, "Shards to make of it")
       ->check(whole_between(1, max_shards))

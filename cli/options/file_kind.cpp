@@ -21,6 +21,24 @@ FileKind kind_of(const std::filesystem::path& file) {
                                                                                         : FileKind::other;
 }
 
+KindWords words_of(FileKind kind) {
+  switch (kind) {
+    case FileKind::fruit:
+      return {"is a template", "pomona grow and pomona cut take templates"};
+    case FileKind::scene:
+      return {"is a scene", "pomona scene takes scenes"};
+    case FileKind::batch:
+      return {"is a batch", "pomona batch takes batches"};
+    case FileKind::data:
+      return {"is a data set", "pomona data takes data sets"};
+    case FileKind::style:
+      return {"is a style", "--style takes styles"};
+    case FileKind::other:
+      break;
+  }
+  return {"is none of the program's kinds of files", "`pomona check` tells what is wrong with it"};
+}
+
 void check_kind(const std::filesystem::path& file, FileKind wanted) {
   const std::string name = file.string();
   const auto refuse = [&](const std::string& what, const std::string& hint) {
@@ -32,11 +50,7 @@ void check_kind(const std::filesystem::path& file, FileKind wanted) {
            wanted == FileKind::fruit ? "templates are .toml, surfaces .ply" : "name it FILE.toml");
   const FileKind found = kind_of(file);
   if (found == wanted || found == FileKind::other) return;
-  if (found == FileKind::fruit) refuse("is a template", "pomona grow and pomona cut take templates");
-  if (found == FileKind::scene) refuse("is a scene", "pomona scene takes scenes");
-  if (found == FileKind::batch) refuse("is a batch", "pomona batch takes batches");
-  if (found == FileKind::data) refuse("is a data set", "pomona data takes data sets");
-  refuse("is a style", "--style takes styles");
+  refuse(words_of(found).what, words_of(found).taken_by);
 }
 
 }  // namespace pomona

@@ -28,4 +28,8 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::Validator([words](std::string& text) { return choice_fault(text, words); }, choice_text(words));
 }
 
+CLI::Validator folder_name() {
+  return CLI::Validator([](std::string& text) { return std::string(text.empty() ? "\"\" names no folder" : ""); }, "");
+}
+
 }  // namespace pomona

@@ -23,4 +23,7 @@ CLI::Validator whole_between(int low, int high);
 /// One of these words; a message for another one suggests the nearest.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
+/// The name of a folder, which is not empty.
+CLI::Validator folder_name();
+
 }  // namespace pomona

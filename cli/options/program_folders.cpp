@@ -1,11 +1,14 @@
 #include "cli/options/program_folders.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
+#include "cli/options/file_kind.h"
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/nearest_name.h"
+#include "generator/base/shell_words.h"
 #include "generator/base/small_ending.h"
 
 namespace fs = std::filesystem;
@@ -13,6 +16,9 @@ namespace fs = std::filesystem;
 namespace pomona {
 
 namespace {
+
+/// Where the program's own files lie that people write.
+constexpr std::array folders_of_files = {"templates", "scenes", "styles"};
 
 /// All folders, in the order in which they are searched.
 std::vector<fs::path> candidates(const std::string& kind) {
@@ -26,6 +32,40 @@ bool is_path(const std::string& text) {
   for (const char* ending : {".toml", ".ply", ".obj", ".glb", ".svg", ".json", ".png"})
     if (small_ending(text) == ending) return true;
   return text.find('/') != std::string::npos;
+}
+
+std::vector<std::string> stems_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.stem().string());
+  return names;
+}
+
+/// The program's own file of this name, of whatever kind.
+std::optional<fs::path> own_file_called(const std::string& name) {
+  for (const char* kind : folders_of_files)
+    for (const fs::path& file : own_files(kind))
+      if (file.stem() == name) return file;
+  return std::nullopt;
+}
+
+/// The file beside a missing one that may be meant, or the name of one of the program's own.
+std::string hint_for_absent(const fs::path& path) {
+  if (const auto home = unread_home_hint(path.string())) return *home;
+  std::error_code ignored;
+  if (fs::exists(path, ignored)) return {};
+  const std::string name = path.stem().string();
+  if (!path.has_parent_path() && small_ending(path) == ".toml" && own_file_called(name))
+    return "the program's own is called " + name;
+  return near_file_hint(path);
+}
+
+/// Reports a file or folder of this name in the current folder, for a name that is not known.
+void refuse_without_ending(const std::string& name) {
+  std::error_code ignored;
+  if (!fs::exists(name, ignored)) return;
+  const fs::path file = existing_file(name);
+  throw Error(ExitStatus::bad_data,
+              {{{file.string(), 1, 1, {}}, "has no ending of a file that is read here", "name it FILE.toml"}});
 }
 
 }  // namespace
@@ -67,7 +107,7 @@ fs::path start_of_commands(const fs::path& file) { return is_own_scene(file) ? f
 
 fs::path existing_file(const std::string& path) {
   const std::string why = why_no_file(path);
-  if (!why.empty()) throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, why, {}}});
+  if (!why.empty()) throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, why, hint_for_absent(path)}});
   return path;
 }
 
@@ -86,20 +126,30 @@ fs::path find_file(const std::string& kind, const std::string& name_or_path, con
   if (const std::optional<fs::path> file = file_of(kind, name_or_path)) return *file;
   if (is_path(name_or_path)) return existing_file(name_or_path);
 
-  // The name is unknown; report a file or folder of this name in the current folder.
-  std::error_code ignored;
-  if (fs::exists(name_or_path, ignored)) {
-    const fs::path file = existing_file(name_or_path);
-    throw Error(ExitStatus::bad_data,
-                {{{file.string(), 1, 1, {}}, "has no ending of a file that is read here", "name it FILE.toml"}});
+  refuse_without_ending(name_or_path);
+  const std::string missing =
+      "there is no " + (called.empty() ? kind.substr(0, kind.size() - 1) : called) + " \"" + name_or_path + "\"";
+  if (const std::optional<fs::path> other = own_file_called(name_or_path)) {
+    const KindWords words = words_of(kind_of(*other));
+    throw Error(ExitStatus::input_missing, missing, name_or_path + " " + words.what + ": " + words.taken_by);
   }
-
-  std::vector<std::string> known;
-  for (const fs::path& file : own_files(kind)) known.push_back(file.stem().string());
-  const auto near = nearest_name(name_or_path, known);
-  const std::string what = called.empty() ? kind.substr(0, kind.size() - 1) : called;
-  throw Error(ExitStatus::input_missing, "there is no " + what + " \"" + name_or_path + "\"",
+  const auto near = nearest_name(name_or_path, stems_of(own_files(kind)));
+  throw Error(ExitStatus::input_missing, missing,
               near ? "did you mean " + *near + "?" : where_looked(kind) + "; a path works too");
+}
+
+fs::path find_any_file(const std::string& name_or_path) {
+  std::vector<std::string> known;
+  for (const char* kind : folders_of_files) {
+    if (const std::optional<fs::path> file = file_of(kind, name_or_path)) return *file;
+    for (std::string& name : stems_of(own_files(kind))) known.push_back(std::move(name));
+  }
+  if (is_path(name_or_path)) return existing_file(name_or_path);
+  refuse_without_ending(name_or_path);
+  const auto near = nearest_name(name_or_path, known);
+  throw Error(ExitStatus::input_missing,
+              "there is no template, scene, batch, data set or style \"" + name_or_path + "\"",
+              near ? "did you mean " + *near + "?" : "`pomona list -h` tells how to list them; a path works too");
 }
 
 }  // namespace pomona

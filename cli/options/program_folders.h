@@ -40,4 +40,8 @@ std::optional<std::filesystem::path> file_of(const std::string& kind, const std:
 std::filesystem::path find_file(const std::string& kind, const std::string& name_or_path,
                                 const std::string& called = {});
 
+/// The file behind a name of whatever kind, templates first, then scenes, batches, data sets and styles; or a path.
+/// \throws Error (input_missing)
+std::filesystem::path find_any_file(const std::string& name_or_path);
+
 }  // namespace pomona

@@ -17,6 +17,11 @@ std::string shell_word(const std::string& word) {
   return is_plain ? word : shell_quoted(word);
 }
 
+std::optional<std::string> unread_home_hint(const std::string& path) {
+  if (path != "~" && !path.starts_with("~/")) return {};
+  return "~ is not read as your home here: write $HOME in a shell, or the whole path";
+}
+
 std::string shell_line(std::span<const std::string> words) {
   std::string line;
   for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_quoted(word);

@@ -227,7 +227,41 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"CompareWithNothing", {"compare", "x.png"}, 64, "RESULT"},
         Mistake{"ToleranceOutOfRange", {"compare", "x.png", "y.png", "--usual", "256"}, 64, "--usual"},
         Mistake{"MissingScene", {"scene", "salat.toml", "-o", "x.glb"}, 66, "no such file"},
-        Mistake{"CheckMissingFile", {"check", "missing.toml"}, 66, "no such file"}),
+        Mistake{"CheckMissingFile", {"check", "missing.toml"}, 66, "no such file"},
+        Mistake{"OptionOfAnotherCommand",
+                {"grow", "tomato", "--knife", "half", "-o", "x.glb"},
+                64,
+                "--knife\n  hint: it is an option of pomona cut; see"},
+        Mistake{"OptionWithOneDash", {"grow", "tomato", "-seed", "3", "-o", "x.glb"}, 64, "did you mean --seed?"},
+        Mistake{"LetterThatIsNoOption", {"-v"}, 64, "there is no option -v"},
+        Mistake{"SceneByNameAsFruit",
+                {"grow", "salad", "-o", "x.glb"},
+                66,
+                "there is no template \"salad\"\n  hint: salad is a scene: pomona scene takes scenes"},
+        Mistake{"FruitByNameAsScene",
+                {"scene", "tomato", "-o", "x.glb"},
+                66,
+                "tomato is a template: pomona grow and pomona cut take templates"},
+        Mistake{"CheckMistypedScene", {"check", "salda"}, 66, "or style \"salda\"\n  hint: did you mean salad?"},
+        Mistake{
+            "OwnNameWithAnEnding", {"grow", "tomato.toml", "-o", "x.glb"}, 66, "the program's own is called tomato"},
+        Mistake{"StyleInTheShellsHome",
+                {"grow", "tomato", "--style=~/own.toml", "-o", "x.png"},
+                66,
+                "hint: ~ is not read as your home here"},
+        Mistake{"OutputInTheShellsHome", {"grow", "tomato", "-o", "~/x.ply"}, 73, "write $HOME"},
+        Mistake{"MissingFolderOfTwoWords", {"grow", "tomato", "-o", "no such/x.ply"}, 73, "hint: mkdir -p 'no such'"},
+        Mistake{"BatchInAMissingFolder", {"batch", "small_batch", "-o", "no/such"}, 73, "hint: mkdir -p no"},
+        Mistake{"BatchInNoFolder", {"batch", "small_batch", "-o", ""}, 64, "names no folder"},
+        Mistake{"MapThatIsNoPng", {"compare", "x.png", "y.png", "--map", "x.jpg"}, 64, "it is written as .png"},
+        Mistake{"PageThatIsNoHtml", {"compare", "x.png", "y.png", "--html", "x"}, 64, "it is written as .html"},
+        Mistake{"MistypedTolerance", {"compare", "x.png", "y.png", "--tolerance", "clos"}, 64, "did you mean close?"},
+        Mistake{"StudioOfSurfaces",
+                {"studio", POMONA_SOURCE_DIR "/templates/kidney.ply"},
+                65,
+                "the studio opens templates (.toml)"},
+        Mistake{"StudioOfADrawing", {"studio", POMONA_SOURCE_DIR "/templates/kiwi.svg"}, 65, "templates are .toml"},
+        Mistake{"StudioOfAScene", {"studio", POMONA_SOURCE_DIR "/scenes/salad.toml"}, 65, "pomona scene takes scenes"}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(Help, IsPrintedByEveryCommand) {
@@ -292,6 +326,22 @@ TEST(StandardOutput, TakesTheBytesOfTheFile) {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(outcome.out == bytes_of(folder.path() / file.back())) << format;
   }
+}
+
+TEST(StandardOutput, TakesAFormatAsEndingsAreWritten) {
+  const Outcome outcome = run_pomona({"grow", "radish", "--detail", "0.1", "--quiet", "-o", "-", "--format", ".ply"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ::testing::StartsWith("ply\n"));
+}
+
+TEST(MissingInput, SuggestsAFileOfNearlyThatName) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "kiwano.toml") << "format = 1\n";
+  std::ofstream(folder.path() / "kiwano.svg") << "<svg/>";
+  const Outcome outcome = run_pomona({"check", "kiwnao.toml"}, folder.path());
+  EXPECT_EQ(outcome.status, 66);
+  EXPECT_EQ(outcome.err, "kiwnao.toml: error: there is no such file\n  hint: did you mean kiwano.toml?\n");
+  EXPECT_THAT(run_pomona({"check", "fig1.toml"}, folder.path()).err, Not(HasSubstr("hint")));
 }
 
 TEST(StandardOutput, ThatIsFullEndsWithItsStatus) {
