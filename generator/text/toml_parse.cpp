@@ -6,6 +6,7 @@
 #include "generator/base/error.h"
 #include "generator/text/toml_limits.h"
 #include "generator/text/toml_node.h"
+#include "generator/text/toml_syntax_hint.h"
 
 namespace pomona {
 
@@ -81,7 +82,8 @@ TomlNode parse_toml(std::string_view text, const std::string& file) {
   try {
     return Converter(file).converted(toml::parse(text, std::string_view(file)), 0);
   } catch (const toml::parse_error& error) {
-    fail(file, place_of(error.source()), std::string(error.description()));
+    const TomlPlace place = place_of(error.source());
+    fail(file, place, std::string(error.description()), toml_syntax_hint(text, place, error.description()));
   }
 }
 

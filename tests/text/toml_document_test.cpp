@@ -109,6 +109,26 @@ TEST(TomlDocument, mistakes_in_the_syntax_have_a_position) {
   expect_at(diagnostics_of("a = \"open\n", nothing).at(0), 1, 10, "");
 }
 
+TEST(TomlDocument, mistakes_in_the_syntax_say_what_was_meant) {
+  const auto hint = [](const std::string& text) { return diagnostics_of(text, [](const TomlTable&) {}).at(0).hint; };
+  EXPECT_EQ(hint("a = 1\nblur = 1.5mm\n"), "texts and lengths stand in quotes: \"1.5mm\"");
+  EXPECT_EQ(hint("blur = 4 mm"), "texts and lengths stand in quotes: \"4 mm\"");
+  EXPECT_EQ(hint("parts = [skin, flesh]\n"), "texts and lengths stand in quotes: \"skin\"");
+  EXPECT_EQ(hint("front = { part = \"\u00fc\u00fc\u00fc\", color = #c8752c }\n"),
+            "colours stand in quotes: \"#c8752c\"");
+  EXPECT_EQ(hint("hidden = True\n"), "write it in small letters: true, false");
+  EXPECT_EQ(hint("x = 0,8\n"), "decimals have a point: 0.5");
+  EXPECT_EQ(hint("x = .8\r\n"), "write 0.8");
+  EXPECT_EQ(hint("x = \u201cplum\u201d\n"), "quotes are straight: \"");
+  EXPECT_EQ(hint("x = \"plum\ny = 1\n"), "the text lacks the quotes at its end");
+  EXPECT_EQ(hint("x: 1\n"), "write a key and its value so: name = \"plum\"");
+  EXPECT_EQ(hint("x = { a = 1,\n b = 2 }\n"), "what is in { } stands on one line");
+  EXPECT_EQ(hint("[[srface]]\nx = 1\n[surface.front]\nx = 1\n[[surface]]\n"),
+            "an earlier heading of it lacks its second brackets, or is mistyped");
+  for (const char* odd : {"x = [0 \"a\"]", "x = \"Pl\\um\"", "[x", "x = = 2", "x = 1\nx = 2", "x = ", "=", "x ="})
+    EXPECT_EQ(hint(odd), "") << odd;
+}
+
 TEST(TomlDocument, numbers_must_be_finite) {
   const auto found = diagnostics_of("a = nan\nb = inf\nc = 1e300\n", [](const TomlTable& root) {
     for (const char* key : {"a", "b", "c"}) root.get(key).number();
