@@ -17,6 +17,8 @@ def named(what, kind):
         return f"a {kind} of Python", text_of(what)
     if isinstance(what, os.PathLike):
         return os.fspath(what), None
+    if not isinstance(what, str):
+        raise TypeError(f"a {kind} is a name, a path, the text of a file or a dictionary: no {type(what).__name__}")
     return (f"a {kind} of Python", what) if "\n" in what else (what, None)
 
 

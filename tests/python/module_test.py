@@ -91,6 +91,11 @@ class Options(unittest.TestCase):
     def test_mistakes_are_told_with_what_was_meant(self):
         with self.assertRaisesRegex(TypeError, "there is no option ripenes: did you mean ripeness"):
             pomona.grow("tomato", ripenes=1)
+        for odd in (3, None, b"tomato"):
+            with self.assertRaisesRegex(TypeError, "a template is a name, a path, .*: no " + type(odd).__name__):
+                pomona.grow(odd)
+        with self.assertRaisesRegex(TypeError, "a scene is a name"):
+            pomona.scene(["salad"])
         with self.assertRaisesRegex(pomona.Error, '^ripeness: "3" is not a number from 0 to 2'):
             pomona.grow("tomato", ripeness=3)
         with self.assertRaisesRegex(pomona.Error, '"fnal" is none of draft, final'):
