@@ -49,7 +49,7 @@ glm::dvec3 foot_of(PlaceSketch::Foot foot, const Box<double>& own) {
 }  // namespace
 
 InstancePose instance_pose(const PlaceSketch& place, const PlaceSeat& seat, const Box<double>& own, std::size_t number,
-                           const RandomStream& draws, double scale) {
+                           const RandomStream& draws) {
   const auto draw = [&](std::uint64_t k) { return 2 * draws.uniform(draws_per_instance * number + k) - 1; };
 
   // The top leans uphill by the tilt; then the instance turns about its own axis.
@@ -63,7 +63,7 @@ InstancePose instance_pose(const PlaceSketch& place, const PlaceSeat& seat, cons
 
   InstancePose pose;
   pose.turn = glm::dmat3(side * cos_turn + front * sin_turn, top, front * cos_turn - side * sin_turn);
-  pose.scale = scale * place.size(seat.along) * std::max(0.1, 1 + place.size_jitter * draw(2));
+  pose.scale = place.size(seat.along) * std::max(0.1, 1 + place.size_jitter * draw(2));
   pose.foot = foot_of(place.foot, own);
   pose.at = seat.center - seat.normal * place.sink;
   return pose;

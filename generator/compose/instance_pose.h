@@ -23,8 +23,7 @@ struct InstancePose {
 };
 
 /// \param number of the instance in its place, by which its random numbers are drawn
-/// \param scale of the whole fruit
 InstancePose instance_pose(const PlaceSketch& place, const PlaceSeat& seat, const Box<double>& own, std::size_t number,
-                           const RandomStream& draws, double scale);
+                           const RandomStream& draws);
 
 }  // namespace pomona

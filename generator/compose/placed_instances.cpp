@@ -133,8 +133,7 @@ LaidInstances laid_instances(const PlaceTask& task, const GrowPlaced& grow_place
   laid.individuals = grown_individuals(task, laid.seats.size(), grow_placed);
   const RandomStream draws(task.key, "place/" + task.place.name + "/pose");
   for (std::size_t i = 0; i < laid.seats.size(); ++i)
-    laid.poses.push_back(
-        instance_pose(task.place, laid.seats[i], laid.individual(i).box, i, draws, task.options.scale));
+    laid.poses.push_back(instance_pose(task.place, laid.seats[i], laid.individual(i).box, i, draws));
   return laid;
 }
 

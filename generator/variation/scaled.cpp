@@ -84,8 +84,9 @@ void scale(LawSketch& law, double factor) {
   law.hollow *= factor;
 }
 
-/// What is placed stays as it is: instances are scaled when they are set (generator/compose).
+/// What is placed is shared and stays as it is; instances are scaled by their size when they are set.
 void scale(PlaceSketch& place, double factor) {
+  scale(place.size, factor);
   place.sink *= factor;
   if (place.press) {
     place.press->gap *= factor;

@@ -5,9 +5,9 @@
 
 namespace pomona {
 
-/// All lengths times the factor: curves, meshes, blur, and the sizes and distances of spots and grains, so that
-/// everything keeps its relative place and the number of grains stays. Not scaled: the fine grain of the noise, the
-/// details of cut faces, and the depths of ripening and browning.
+/// All lengths times the factor: curves, meshes, blur, and the sizes and distances of spots, grains and what is placed,
+/// so that everything keeps its relative place and the number of grains stays. Not scaled: the fine grain of the noise,
+/// the details of cut faces, and the depths of ripening and browning.
 Template scaled(Template fruit, double factor);
 
 }  // namespace pomona

@@ -1,6 +1,7 @@
 // Templates within a template: keys, numbers, parts and limits of instances.
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -130,6 +131,21 @@ TEST(Place, lengths_grow_with_the_fruit) {
   for (std::size_t v = 0; v < once.swept.vertex_count(); ++v) {
     for (int k = 0; k < 3; ++k) ASSERT_NEAR(2 * once.swept.position[v][k], twice.swept.position[v][k], 2e-6);
   }
+}
+
+/// Else the berries of a small bunch crowd, and those of a large one lie apart.
+TEST(Place, instances_are_as_much_larger_as_their_variant) {
+  Template fruit = placed("bunch"), berry = *fruit.places[0].placed;
+  berry.variation = {};
+  fruit.places[0].placed = std::make_shared<const Template>(berry);
+  fruit.places[0].press.reset();
+  fruit.places[0].stalk.reset();
+  fruit.places[0].heading = PlaceSketch::Heading::out;
+  fruit.variation.size = 0.3;
+  const GrownFruit drawn = grown(fruit, 0), varied = grown(fruit, 3);
+  const double by = edges_of(varied.swept, 0) / edges_of(drawn.swept, 0);
+  ASSERT_GT(std::abs(by - 1), 0.05) << "the axis of another size";
+  EXPECT_NEAR(edges_of(varied.swept, 1), by * edges_of(drawn.swept, 1), 1e-3 * edges_of(drawn.swept, 1));
 }
 
 TEST(Place, too_many_are_refused_before_any_is_grown) {
