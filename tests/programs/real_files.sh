@@ -33,7 +33,8 @@ small --atlas piece -o small-looks.usda && small --texture 64 --atlas file -o sm
 mkdir coded && small --compress meshopt -o coded/small.glb
 small --up z --hulls 4 -o small-z.usda
 cp "$repository/tests/programs/small_crate.toml" "$repository/scenes/dishes/crate.obj" .
-"$program" scene small_crate.toml --detail 0.4 --quality draft --style plain --quiet --engine godot -o small-crate.glb
+crate() { "$program" scene small_crate.toml --detail 0.4 --quality draft --style plain --quiet "$@"; }
+crate --engine godot -o small-crate.glb && crate --engine unreal -o small-crate-unreal.glb
 "$program" cut tomato --knife half --detail 0.4 --quality draft --texture 256 --maps color --ripeness-variants 0.2,1.8 --quiet -o ripenesses.glb -o ripenesses.usda
 small --engine unreal --lod 1 -o small-unreal.glb
 

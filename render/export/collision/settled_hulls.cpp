@@ -16,20 +16,16 @@ bool is_settled(const Scene& scene) {
 }
 
 std::vector<std::vector<ConvexHull>> settled_hulls(const Scene& scene, std::span<const std::vector<ConvexHull>> parts,
-                                                   CopiesShare share, Threads threads) {
+                                                   Threads threads) {
   std::vector<std::vector<ConvexHull>> result(scene.instances.size());
   if (!is_settled(scene)) return result;
-  std::vector<int> copies(scene.solids.size(), 0);
-  for (const Instance& instance : scene.instances) ++copies[static_cast<std::size_t>(instance.solid)];
-
   std::vector<StandingHulls> standing;
   for (const Instance& instance : scene.instances) {
     const auto solid = static_cast<std::size_t>(instance.solid);
-    const bool has_own_shape = share == CopiesShare::mesh || copies[solid] == 1;
     StandingHulls body{.parts = {},
                        .place = instance.pose.translation,
                        .rotation = glm::normalize(instance.pose.rotation),
-                       .gives_way = has_own_shape && is_fruit(scene.solids[solid])};
+                       .gives_way = is_fruit(scene.solids[solid])};
     for (const ConvexHull& part : parts[solid]) body.parts.push_back(&part);
     standing.push_back(std::move(body));
   }

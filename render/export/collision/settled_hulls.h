@@ -1,7 +1,6 @@
 // What the pieces of a scene collide with where they came to rest, in files for engines and in USD.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,18 +10,12 @@
 
 namespace pomona {
 
-/// What copies of a piece have in common.
-enum class CopiesShare : std::uint8_t {
-  mesh,             ///< each may have a shape of its own
-  mesh_and_shapes,  ///< one shape would have to fit the places of all: only a piece that lies there once gives way
-};
-
 /// Whether the things of the scene came to rest; pieces of a fruit that is only cut lie where they grew.
 bool is_settled(const Scene& scene);
 
 /// Convex parts of each instance, in its solid's frame, that leave room for those of others (hulls_apart.h); none where
 /// the solid's do. \param parts of each solid.
 std::vector<std::vector<ConvexHull>> settled_hulls(const Scene& scene, std::span<const std::vector<ConvexHull>> parts,
-                                                   CopiesShare share, Threads threads);
+                                                   Threads threads);
 
 }  // namespace pomona

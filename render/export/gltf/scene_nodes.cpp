@@ -50,8 +50,7 @@ class NodeWriter {
   NodeWriter(GltfDocument& document, const ExportOptions& options) : document_(document), options_(options) {}
 
   /// The index of the node; its levels and its hull are added with it.
-  /// \param hulls it collides with.
-  int add(const PlacedSolid& placed, const SolidMeshes& solid, std::span<const int> hulls);
+  int add(const PlacedSolid& placed, const SolidMeshes& solid, const OwnMeshes& own);
 
   /// After all: groups of coarser levels that lie beside each other; none but for Blender.
   Json added_levels_beside();
@@ -147,9 +146,10 @@ void NodeWriter::add_shapes(Json& node, const SolidMeshes& solid, std::span<cons
   if (solid.collides_by_triangles) add(triangles_name(options_.engine, name), solid.meshes.front());
 }
 
-int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid, std::span<const int> hulls) {
+int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid, const OwnMeshes& own) {
   const std::string name = engine_name(options_.engine, placed.name);
-  Json node = {{"name", level_name(options_.engine, name, 0, solid.meshes.size())}, {"mesh", solid.meshes.front()}};
+  Json node = {{"name", level_name(options_.engine, name, 0, solid.meshes.size())},
+               {"mesh", own.mesh < 0 ? solid.meshes.front() : own.mesh}};
   const Json place = where(placed, solid.pivot);
   for (const Instance* instance : placed.instances) {
     const double x = place_of(instance->pose, solid.pivot).x;
@@ -161,7 +161,7 @@ int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid, std::sp
   if (placed.instances.size() > 1) {
     for (const Instance* instance : placed.instances) node["extras"]["instances"].push_back(instance->name);
   }
-  add_shapes(node, solid, hulls);
+  add_shapes(node, solid, own.hulls.empty() ? solid.hulls : own.hulls);
   return document_.add("nodes", std::move(node));
 }
 
@@ -208,16 +208,15 @@ int add_camera(GltfDocument& document, const View& view) {
 }  // namespace
 
 void add_nodes(GltfDocument& document, const Scene& scene, std::span<const SolidMeshes> solids,
-               std::span<const std::vector<int>> own_hulls, const ExportOptions& options) {
+               std::span<const OwnMeshes> own, const ExportOptions& options) {
   NodeWriter writer(document, options);
   std::vector<int> nodes;
   std::vector<PiecePath> paths;
   for (const PlacedSolid& placed : placed_solids(scene, options.instances)) {
     const auto solid = static_cast<std::size_t>(placed.instances.front()->solid);
     if (solids[solid].meshes.empty()) continue;
-    const std::vector<int>& own =
-        own_hulls[static_cast<std::size_t>(placed.instances.front() - scene.instances.data())];
-    nodes.push_back(writer.add(placed, solids[solid], own.empty() ? solids[solid].hulls : own));
+    const auto first = static_cast<std::size_t>(placed.instances.front() - scene.instances.data());
+    nodes.push_back(writer.add(placed, solids[solid], own[first]));
     paths.push_back({scene.solids[solid].origin.entry, scene.solids[solid].origin.variant});
   }
   Json roots = added_groups(document, grouped(paths), nodes, options.engine);

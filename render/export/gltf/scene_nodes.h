@@ -20,11 +20,17 @@ struct SolidMeshes {
   glm::vec3 pivot{0};                  ///< pivot of the solid: the origin of its meshes
 };
 
+/// What an instance has in place of its solid's.
+struct OwnMeshes {
+  int mesh = -1;                ///< the finest; -1: its solid's
+  std::vector<int> hulls = {};  ///< to collide with; none: its solid's
+};
+
 /// A node per instance or, where options.instances says so, one for all instances of a solid
 /// (EXT_mesh_gpu_instancing). Above them a node for each entry of a scene and each fruit that has several pieces;
 /// beside them the camera.
-/// \param own_hulls of each instance, meshes to collide with in place of the solid's; or none.
+/// \param own of each instance
 void add_nodes(GltfDocument& document, const Scene& scene, std::span<const SolidMeshes> solids,
-               std::span<const std::vector<int>> own_hulls, const ExportOptions& options);
+               std::span<const OwnMeshes> own, const ExportOptions& options);
 
 }  // namespace pomona::gltf

@@ -53,7 +53,8 @@ class GlbStream::Writer {
   void add_shapes(const Solid& solid, const std::string& mesh_name);
   std::vector<int> hull_meshes(const std::vector<ConvexHull>& parts, const glm::vec3& pivot,
                                const std::string& mesh_name);
-  std::vector<std::vector<int>> settled_shapes(const Scene& scene);
+  int copied_mesh(int mesh, const std::string& name);
+  std::vector<OwnMeshes> settled_shapes(const Scene& scene);
 
   ExportOptions options_;
   GltfDocument document_;
@@ -138,23 +139,42 @@ std::vector<int> GlbStream::Writer::hull_meshes(const std::vector<ConvexHull>& p
   return meshes;
 }
 
-/// Meshes of the shapes of instances that neighbours leave less room; others have those of their solid, which are added
-/// now. Unreal's shapes belong to a mesh, Godot's to a node.
-std::vector<std::vector<int>> GlbStream::Writer::settled_shapes(const Scene& scene) {
+int GlbStream::Writer::copied_mesh(int mesh, const std::string& name) {
+  Json copy = document_.at("meshes", mesh);
+  copy["name"] = name;
+  return document_.add("meshes", std::move(copy));
+}
+
+/// What instances have of their own where neighbours leave less room; others have the shapes of their solid, which are
+/// added now. Godot's shapes belong to a node. Unreal's belong to a mesh: there each shape of a solid has a mesh of its
+/// own, of the same arrays, and of the name of the first piece that has it. The first of all has the solid's.
+std::vector<OwnMeshes> GlbStream::Writer::settled_shapes(const Scene& scene) {
   const bool of_mesh = options_.engine == Engine::unreal;
-  const std::vector<std::vector<ConvexHull>> hulls =
-      settled_hulls(scene, parts_, of_mesh ? CopiesShare::mesh_and_shapes : CopiesShare::mesh, options_.threads);
-  std::vector<std::vector<int>> own(scene.instances.size());
+  const std::vector<std::vector<ConvexHull>> hulls = settled_hulls(scene, parts_, options_.threads);
+  std::vector<OwnMeshes> own(scene.instances.size());
+  std::vector<char> is_taken(solids_.size(), 0);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const auto number = static_cast<std::size_t>(scene.instances[i].solid);
     SolidMeshes& solid = solids_[number];
-    if (waiting_[number].empty()) continue;
-    if (!hulls[i].empty()) {
-      const std::string name = engine_name(options_.engine, scene.instances[i].name);
-      own[i] = hull_meshes(hulls[i], solid.pivot, of_mesh ? waiting_[number] : name);
-    } else if (solid.hulls.empty()) {
-      solid.hulls = hull_meshes(parts_[number], solid.pivot, waiting_[number]);
+    const bool is_own = !hulls[i].empty();
+    const std::vector<ConvexHull>& shape = is_own ? hulls[i] : parts_[number];
+    if (waiting_[number].empty() || shape.empty() || (!is_own && !solid.hulls.empty())) continue;
+
+    const std::string node = engine_name(options_.engine, scene.instances[i].name);
+    OwnMeshes made;
+    std::string name = is_own ? node : waiting_[number];
+    if (of_mesh) {
+      const bool is_first = std::exchange(is_taken[number], 1) == 0;
+      name = is_first ? waiting_[number] : level_name(options_.engine, node, 0, solid.meshes.size());
+      made.mesh = is_first ? solid.meshes.front() : copied_mesh(solid.meshes.front(), name);
     }
+    made.hulls = hull_meshes(shape, solid.pivot, name);
+    if (is_own) {
+      own[i] = std::move(made);
+      continue;
+    }
+    solid.hulls = std::move(made.hulls);
+    if (of_mesh) solid.meshes.front() = made.mesh;
   }
   return own;
 }

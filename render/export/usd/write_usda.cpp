@@ -63,7 +63,7 @@ PieceShapes shapes_of(const Scene& scene, const ExportOptions& options) {
     if (lie_settled || has_parts(scene.solids[i])) shapes.parts[i] = collision_parts(scene.solids[i], options.hulls);
   });
   if (!lie_settled) return shapes;
-  shapes.settled = settled_hulls(scene, shapes.parts, CopiesShare::mesh, options.threads);
+  shapes.settled = settled_hulls(scene, shapes.parts, options.threads);
   for (std::size_t i = 0; i < scene.solids.size(); ++i)
     if (!has_parts(scene.solids[i])) shapes.parts[i].clear();
   for (std::size_t i = 0; i < shapes.settled.size(); ++i)

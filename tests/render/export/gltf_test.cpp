@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -418,22 +419,62 @@ TEST(Gltf, DishesCollideByTheirTrianglesOrByParts) {
   EXPECT_THAT(names_of(unreal["nodes"]), testing::Contains("UCX_" + scene.instances[0].name + "_00"));
 }
 
+Json mesh_of(const Json& gltf, const std::string& node) {
+  return gltf["meshes"][node_called(gltf, node)["mesh"].get<int>()];
+}
+
+/// How deep shapes of two neighbours of settled_balls() lie within each other, metres; of their nodes' names.
+double depth_of_balls(const Json& gltf, const std::string& left, const std::string& right) {
+  const auto position = [&](const std::string& name) {
+    return gltf["accessors"][mesh_of(gltf, name)["primitives"][0]["attributes"]["POSITION"].get<int>()];
+  };
+  EXPECT_NEAR(position(left)["min"][0], -0.01, 1e-6);
+  return position(left)["max"][0].get<double>() - 0.018 - position(right)["min"][0].get<double>();
+}
+
 TEST(Gltf, ShapesOfSettledPiecesLeaveRoomForEachOther) {
   const Json godot = parsed(write_glb(named::settled_balls(), {.engine = Engine::godot}));
-  const auto low_and_high = [&](const char* name) {
-    const Json hull = godot["meshes"][node_called(godot, name)["mesh"].get<int>()];
-    const Json position = godot["accessors"][hull["primitives"][0]["attributes"]["POSITION"].get<int>()];
-    return std::pair(position["min"][0].get<double>(), position["max"][0].get<double>());
-  };
-  for (const auto& [left, right] :
-       {std::pair("ball-1-convcolonly", "ball-2-convcolonly"), std::pair("ball-3-convcolonly", "ball-4-convcolonly")}) {
-    EXPECT_LE(low_and_high(left).second, 0.018 + low_and_high(right).first + 1e-4);
-    EXPECT_NEAR(low_and_high(left).first, -0.01, 1e-6);
-  }
+  EXPECT_LE(depth_of_balls(godot, "ball-1-convcolonly", "ball-2-convcolonly"), 1e-4);
+  EXPECT_LE(depth_of_balls(godot, "ball-3-convcolonly", "ball-4-convcolonly"), 1e-4);
   EXPECT_EQ(godot["meshes"].size(), 7u) << "none is there in vain";
-  const Json unreal = parsed(write_glb(named::settled_balls(), {.engine = Engine::unreal}));
-  EXPECT_EQ(node_called(unreal, "UCX_ball-3_00")["mesh"], node_called(unreal, "UCX_ball-4_00")["mesh"]);
-  EXPECT_EQ(unreal["meshes"].size(), 6u) << "a shape belongs to a mesh";
+}
+
+/// Unreal's shapes belong to a mesh, which it finds by the name. So copies with shapes of their own have such meshes.
+TEST(Gltf, UnrealsCopiesLeaveRoomForEachOther) {
+  Scene scene = named::settled_balls();
+  for (const double away : {1.0, 2.0})
+    scene.instances.push_back({2,
+                               {.rotation = {1, 0, 0, 0}, .translation = {away, 0, 0}},
+                               "ball-" + std::to_string(scene.instances.size() + 1)});
+  const std::vector<std::vector<Solid>> levels{{}, {}, {scene.solids[2]}};
+  for (const bool has_levels : {false, true}) {
+    const std::string end = has_levels ? "_LOD0" : "";
+    const Json gltf =
+        parsed(write_glb(scene, {.engine = Engine::unreal}, has_levels ? levels : std::vector<std::vector<Solid>>()));
+    EXPECT_LE(depth_of_balls(gltf, "UCX_ball-1_00", "UCX_ball-2_00"), 1e-4);
+    EXPECT_LE(depth_of_balls(gltf, "UCX_ball-3" + end + "_00", "UCX_ball-4" + end + "_00"), 1e-4);
+
+    // All have the same arrays; those with room have the same mesh.
+    for (const char* ball : {"ball-4", "ball-5"}) {
+      EXPECT_NE(node_called(gltf, ball + end)["mesh"], node_called(gltf, "ball-3" + end)["mesh"]);
+      EXPECT_EQ(mesh_of(gltf, ball + end)["primitives"], mesh_of(gltf, "ball-3" + end)["primitives"]);
+      EXPECT_EQ(mesh_of(gltf, ball + end)["name"], ball + end);
+    }
+    EXPECT_EQ(node_called(gltf, "ball-5" + end)["mesh"], node_called(gltf, "ball-6" + end)["mesh"]);
+    EXPECT_EQ(gltf["meshes"].size(), has_levels ? 11u : 10u) << "none is there in vain";
+
+    // What importers go by: each mesh has one name, and one set of shapes, which are named after it.
+    const std::vector<std::string> names = names_of(gltf["meshes"]);
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+    for (const Json& node : gltf["nodes"]) {
+      if (!node.contains("children") || !node.contains("mesh")) continue;
+      const Json shape = gltf["nodes"][node["children"][0].get<int>()];
+      const auto name_of = [&](const Json& of) {
+        return gltf["meshes"][of["mesh"].get<int>()]["name"].get<std::string>();
+      };
+      EXPECT_EQ(name_of(shape), "UCX_" + name_of(node) + "_00");
+    }
+  }
 }
 
 /// On an atlas triangles stand in another order, which would divide a piece otherwise: here one shows which is asked.

@@ -82,17 +82,14 @@ TEST(SettledHulls, PiecesLeaveRoomForEachOther) {
   for (const Solid& solid : scene.solids) parts.push_back(collision_parts(solid, 1));
   const auto place = [&](std::size_t i) { return scene.instances[i].pose.translation; };
   EXPECT_GT(deepest(parts[1][0], place(1), parts[0][0], place(0)), 1e-3);
-  const auto own = settled_hulls(scene, parts, CopiesShare::mesh, {2});
+  const auto own = settled_hulls(scene, parts, {2});
   for (std::size_t i = 0; i < 4; i += 2) {
     ASSERT_EQ(own[i].size() + own[i + 1].size(), 2u);
     EXPECT_LT(deepest(own[i + 1][0], place(i + 1), own[i][0], place(i)), 1e-4);
   }
-  const auto shared = settled_hulls(scene, parts, CopiesShare::mesh_and_shapes, {2});
-  EXPECT_FALSE(shared[0].empty());
-  EXPECT_TRUE(shared[2].empty() && shared[3].empty()) << "one shape cannot serve two places";
   // What is only cut has the shapes that it takes along.
   for (Solid& solid : scene.solids) solid.origin.entry.clear();
-  for (const auto& none : settled_hulls(scene, parts, CopiesShare::mesh, {2})) EXPECT_TRUE(none.empty());
+  for (const auto& none : settled_hulls(scene, parts, {2})) EXPECT_TRUE(none.empty());
 }
 
 TEST(HullCut, TheTwoSidesAddUp) {
