@@ -9,6 +9,7 @@
 #include "generator/base/error.h"
 #include "generator/base/first_bytes.h"
 #include "generator/base/nearest_name.h"
+#include "generator/base/shell_words.h"
 
 namespace pomona {
 
@@ -36,7 +37,8 @@ std::vector<std::string> stems_in(const std::filesystem::path& folder, const std
 std::string near_file_hint(const std::filesystem::path& missing) {
   constexpr std::size_t shortest = 3;  // a shorter name is near every other
   const std::string name = missing.stem().string();
-  if (name.size() < shortest) return {};
+  std::error_code ignored;
+  if (name.size() < shortest || std::filesystem::exists(missing, ignored)) return {};
   const auto near = nearest_name(name, stems_in(missing.parent_path(), missing.extension()));
   if (!near || *near == name) return {};
   return "did you mean " + *near + missing.extension().string() + "?";
@@ -57,7 +59,8 @@ std::string file_bytes(const std::filesystem::path& file, std::size_t max, const
     throw Error(status, {{{file.string(), 0, 0, {}}, why, remedy}});
   };
   const std::string why = why_no_file(file);
-  if (!why.empty()) fail(ExitStatus::input_missing, why);
+  if (!why.empty())
+    fail(ExitStatus::input_missing, why, unread_home_hint(file.string()).value_or(near_file_hint(file)));
   const auto too_large = [&] { fail(ExitStatus::bad_data, "is larger than " + in_units(max), hint); };
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
