@@ -23,8 +23,9 @@ WIDTH, HEIGHT = 96, 72
 class Organs(Program):
     def make(self):
         def cut(folder, size, *more):
+            # From low, for there berries hide others.
             self.pomona("cut", "currants", "--seed", "1", "--knife", "half", "--detail", "0.1", "--quality", "draft", "--size", size,
-                        "-o", "x.png", "--aov", folder, *more)
+                        "--view=25,5", "-o", "x.png", "--aov", folder, *more)
             return json.loads((self.path / folder / "annotations.json").read_text())["annotations"]
         of_exr = cut("exr", f"{WIDTH}x{HEIGHT}", "--aov-format", "exr")
         exr = Layers((self.path / "exr/truth.exr").read_bytes())
