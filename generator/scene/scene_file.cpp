@@ -162,14 +162,14 @@ class SceneReader {
     if (total.given() && !some) total.error("is of no use where no entry has a \"share\"", "write share = 1 in one");
   }
 
-  /// Reads the dish in or on which the pieces lie.
-  /// \param name of none of them.
+  /// What may be meant by a name that no dish has.
   std::string hint_of_dishes(const std::string& name) const {
     std::vector<std::string> known;
     for (const DishDescription& dish : scene_.dishes) known.push_back(dish.name);
     return known.empty() ? "describe it: [[dishes]]" : name_hint(name, known);
   }
 
+  /// Reads the dish in or on which the pieces lie.
   void read_dish_of(const TomlTable& table, PiecesDescription& pieces) {
     const TomlValue in = table.get("in"), on = table.get("on");
     if (in.given() && on.given()) on.error("and \"in\" exclude each other", "keep one of them");

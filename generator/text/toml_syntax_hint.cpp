@@ -73,9 +73,9 @@ std::string toml_syntax_hint(std::string_view text, TomlPlace place, std::string
       std::pair("inline table: expected key or closing '}', saw '\\n'", "what is in { } stands on one line"),
       std::pair("string: unescaped control characters", "the text lacks the quotes at its end"),
       std::pair("expected '=', saw ':'", "write a key and its value so: name = \"plum\"")};
-  for (const auto& [part, hint] : by_fault)
-    if (fault.find(part) != std::string_view::npos) return hint;
   const auto says = [&](std::string_view part) { return fault.find(part) != std::string_view::npos; };
+  for (const auto& [part, hint] : by_fault)
+    if (says(part)) return hint;
   const std::string_view line = line_of(text, place.line);
   const std::size_t byte = byte_of(line, place.column);
   if (says("header") || says("redefine") || byte >= line.size()) return {};

@@ -40,10 +40,10 @@ SweptFruit swept_fruit(const Template& fruit, const SweepOptions& options) {
     const std::vector<SweptGrid> grids = swept_grids(fruit, sketch, options);
     for (const SweptGrid& grid : grids) painter.append(grid);
     if (sketch.front.spots.empty() && sketch.back.spots.empty()) continue;
-    const std::vector<SweptGrid> placing =
-        options.detail > 1 ? swept_grids(fruit, sketch, for_placing(options)) : grids;
+    std::vector<SweptGrid> coarser;
+    if (options.detail > 1) coarser = swept_grids(fruit, sketch, for_placing(options));
     for (const SideOf side : {SideOf::front, SideOf::back}) {
-      const std::vector<Spot> spots = placed_spots(fruit, sketch, side, placing, options);
+      const std::vector<Spot> spots = placed_spots(fruit, sketch, side, coarser.empty() ? grids : coarser, options);
       painter.dab(side, spots, grids);
       for (const Spot& spot : raised_spots(spots, side)) raised.push_back(spot);
     }
