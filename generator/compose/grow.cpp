@@ -8,6 +8,7 @@
 #include "generator/base/random.h"
 #include "generator/compose/placed_instances.h"
 #include "generator/surface/grains/grains.h"
+#include "generator/surface/grains/walls_in_grains.h"
 #include "generator/surface/sheets.h"
 #include "generator/surface/skin_depth.h"
 #include "generator/surface/sweep/swept_fruit.h"
@@ -92,7 +93,8 @@ GrownFruit grow_unsplit(const Template& variant, VariantKey users_key, const Gro
 
 GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options) {
   GrownFruit grown = grow_unsplit(variant, key, options);
-  grown.sheets = joined(sheets(grown.swept), sheets(grown.grains));
+  DiffusionSurfaces walls = without_walls_in_grains(sheets(grown.swept), grown.grains, options.threads);
+  grown.sheets = joined(walls, sheets(grown.grains));
   return grown;
 }
 

@@ -1,7 +1,9 @@
 #include "generator/surface/diffusion_surfaces.h"
 
 #include <algorithm>
+#include <array>
 
+#include "generator/mesh/triangle_weights.h"
 #include "generator/surface/merged_names.h"
 
 namespace pomona {
@@ -63,6 +65,27 @@ std::uint32_t doubled_vertex(DiffusionSurfaces& surfaces, std::uint32_t vertex) 
   copy(surfaces.blur);
   copy(surfaces.front_hidden);
   copy(surfaces.back_hidden);
+  return static_cast<std::uint32_t>(surfaces.vertex_count() - 1);
+}
+
+std::uint32_t add_vertex_within(DiffusionSurfaces& surfaces, const DiffusionSurfaces& from, const glm::uvec3& triangle,
+                                const glm::dvec3& place) {
+  const auto corner = [&](int k) { return glm::dvec3(from.position[triangle[k]]); };
+  const std::array<double, 3> weight = weights_in({corner(0), corner(1), corner(2)}, place);
+  Color front(0), back(0);
+  float blur = 0;
+  for (int k = 0; k < 3; ++k) {
+    const auto w = static_cast<float>(weight[static_cast<std::size_t>(k)]);
+    front += w * from.front_color[triangle[k]];
+    back += w * from.back_color[triangle[k]];
+    blur += w * from.blur[triangle[k]];
+  }
+  surfaces.position.emplace_back(place);
+  surfaces.front_color.push_back(front);
+  surfaces.back_color.push_back(back);
+  surfaces.blur.push_back(blur);
+  surfaces.front_hidden.push_back(0);
+  surfaces.back_hidden.push_back(0);
   return static_cast<std::uint32_t>(surfaces.vertex_count() - 1);
 }
 

@@ -60,6 +60,11 @@ DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces
 /// Appends a vertex like this one; the number of the new one.
 std::uint32_t doubled_vertex(DiffusionSurfaces& surfaces, std::uint32_t vertex);
 
+/// Appends a vertex at a place within a triangle of `from`, with the colours and the blur that the triangle has there;
+/// nothing is hidden there. Its number.
+std::uint32_t add_vertex_within(DiffusionSurfaces& surfaces, const DiffusionSurfaces& from, const glm::uvec3& triangle,
+                                const glm::dvec3& place);
+
 /// The box around all vertices that a triangle uses; a box of no size at zero for no triangles.
 Box<double> bounds_of(const DiffusionSurfaces& surfaces);
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/cut/unite/facet_parts.h"
+#include "generator/mesh/crossings/facet_parts.h"
 
 namespace pomona {
 namespace {

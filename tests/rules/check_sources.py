@@ -70,7 +70,7 @@ ROAD = [
 
 # Each heavy package, the headers it is known by, and the only places that may know it. None may be a header.
 HEAVY = {
-    "CGAL": (r"CGAL/", r"generator/cut/(plane|carve)/\w+\.cpp|generator/mesh/polygon_triangles\.cpp|render/export/convex_hull\.cpp|bench/baselines/tetrahedral_mesh\.cpp"),
+    "CGAL": (r"CGAL/", r"generator/cut/(plane|carve)/\w+\.cpp|generator/mesh/(polygon_triangles|crossings/tie_rule)\.cpp|render/export/convex_hull\.cpp|bench/baselines/tetrahedral_mesh\.cpp"),
     "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/text/\w+\.cpp"),
     "lib2geom": (r"2geom/", r"generator/text/\w+\.cpp"),
     "pugixml": (r"pugixml\.hpp", r"generator/text/\w+\.cpp|tests/render/export/\w+\.cpp"),

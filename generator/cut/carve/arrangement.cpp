@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "generator/base/error.h"
-#include "generator/cut/carve/intersections.h"
+#include "generator/mesh/crossings/intersections.h"
 #include "generator/mesh/edge_map.h"
 
 namespace pomona {

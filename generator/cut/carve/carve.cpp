@@ -9,13 +9,13 @@
 #include <glm/geometric.hpp>
 
 #include "generator/cut/carve/fineness.h"
-#include "generator/cut/carve/intersections.h"
 #include "generator/cut/carve/knife_charts.h"
 #include "generator/cut/carve/knife_face.h"
 #include "generator/cut/carve/knife_regions.h"
 #include "generator/cut/carve/labels.h"
 #include "generator/cut/carve/part_windings.h"
 #include "generator/cut/carve/split_surfaces.h"
+#include "generator/mesh/crossings/intersections.h"
 #include "generator/mesh/triangle_tree.h"
 
 namespace pomona {

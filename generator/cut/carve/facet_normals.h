@@ -12,9 +12,6 @@
 
 namespace pomona {
 
-/// The barycentric coordinates of a point in a triangle.
-std::array<double, 3> weights_in(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& point);
-
 /// The distance from a as a share of that from a to b.
 double share_between(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& point);
 

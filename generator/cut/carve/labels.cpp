@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "generator/cut/carve/tie_rule.h"
+#include "generator/mesh/crossings/tie_rule.h"
 #include "generator/mesh/edge_map.h"
 
 namespace pomona {

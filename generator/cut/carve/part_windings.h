@@ -7,8 +7,8 @@
 #include "generator/cut/carve/arrangement.h"
 #include "generator/cut/carve/knife_regions.h"
 #include "generator/cut/carve/split_surfaces.h"
-#include "generator/cut/carve/tie_rule.h"
 #include "generator/cut/section/face.h"
+#include "generator/mesh/crossings/tie_rule.h"
 #include "generator/mesh/disjoint_sets.h"
 
 namespace pomona {

@@ -12,6 +12,7 @@
 
 #include "generator/cut/carve/facet_normals.h"
 #include "generator/mesh/edge_map.h"
+#include "generator/mesh/triangle_weights.h"
 
 namespace pomona {
 

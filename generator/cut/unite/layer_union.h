@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/cut/unite/body_crossings.h"
+#include "generator/mesh/crossings/body_crossings.h"
 
 namespace pomona {
 

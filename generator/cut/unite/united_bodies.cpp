@@ -8,10 +8,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/cut/carve/facet_normals.h"
-#include "generator/cut/carve/tie_rule.h"
 #include "generator/cut/unite/earlier_boxes.h"
 #include "generator/cut/unite/layer_union.h"
+#include "generator/mesh/crossings/tie_rule.h"
 #include "generator/mesh/disjoint_sets.h"
 #include "generator/mesh/enclosures.h"
 #include "generator/mesh/overlapping_boxes.h"
@@ -442,30 +441,11 @@ class SurfaceUniter {
       if (glm::dvec3(from_.position[v[k]]) == p) return v[k];
     Made& made = made_[point];
     if (made.source == wall.source) return made.vertex;
-    const std::array<double, 3> weight = weights_in(
-        {glm::dvec3(from_.position[v.x]), glm::dvec3(from_.position[v.y]), glm::dvec3(from_.position[v.z])}, p);
-    made = {wall.source, blended(v, weight, p, from_.is_hidden(wall.source, SideOf::front))};
+    made = {wall.source, add_vertex_within(to_, from_, v, p)};
+    const bool front_hidden = from_.is_hidden(wall.source, SideOf::front);
+    to_.front_hidden.back() = front_hidden ? 1 : 0;
+    to_.back_hidden.back() = front_hidden ? 0 : 1;
     return made.vertex;
-  }
-
-  std::uint32_t blended(const glm::uvec3& v, const std::array<double, 3>& weight, const glm::dvec3& p,
-                        bool front_hidden) {
-    Color front(0), back(0);
-    float blur = 0;
-    for (int k = 0; k < 3; ++k) {
-      const auto w = static_cast<float>(weight[static_cast<std::size_t>(k)]);
-      front += w * from_.front_color[v[k]];
-      back += w * from_.back_color[v[k]];
-      blur += w * from_.blur[v[k]];
-    }
-    const auto number = static_cast<std::uint32_t>(to_.vertex_count());
-    to_.position.emplace_back(p);
-    to_.front_color.push_back(front);
-    to_.back_color.push_back(back);
-    to_.blur.push_back(blur);
-    to_.front_hidden.push_back(front_hidden ? 1 : 0);
-    to_.back_hidden.push_back(front_hidden ? 0 : 1);
-    return number;
   }
 
   using Copies = std::vector<std::uint32_t>;  // by vertex

@@ -1,4 +1,4 @@
-#include "generator/cut/carve/intersections.h"
+#include "generator/mesh/crossings/intersections.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "generator/cut/carve/tie_rule.h"
+#include "generator/mesh/crossings/tie_rule.h"
 
 namespace pomona::shapes {
 

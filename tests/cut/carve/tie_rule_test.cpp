@@ -1,5 +1,5 @@
 // Compares signs of the tie rule with those of a knife that is moved.
-#include "generator/cut/carve/tie_rule.h"
+#include "generator/mesh/crossings/tie_rule.h"
 
 #include <vector>
 

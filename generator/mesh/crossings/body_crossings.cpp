@@ -1,4 +1,4 @@
-#include "generator/cut/unite/body_crossings.h"
+#include "generator/mesh/crossings/body_crossings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/cut/carve/intersections.h"
-#include "generator/cut/carve/tie_rule.h"
+#include "generator/mesh/crossings/intersections.h"
+#include "generator/mesh/crossings/tie_rule.h"
 
 namespace pomona {
 

@@ -1,4 +1,4 @@
-#include "generator/cut/unite/facet_parts.h"
+#include "generator/mesh/crossings/facet_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "generator/cut/carve/tie_rule.h"
+#include "generator/mesh/crossings/tie_rule.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/cut/carve/tie_rule.h"
+#include "generator/mesh/crossings/tie_rule.h"
 #include "generator/mesh/overlapping_boxes.h"
 
 namespace pomona {

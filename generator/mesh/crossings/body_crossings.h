@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/cut/unite/facet_parts.h"
+#include "generator/mesh/crossings/facet_parts.h"
 #include "generator/mesh/overlapping_boxes.h"
 
 namespace pomona {
