@@ -93,7 +93,8 @@ GrownFruit grow_unsplit(const Template& variant, VariantKey users_key, const Gro
 
 GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options) {
   GrownFruit grown = grow_unsplit(variant, key, options);
-  DiffusionSurfaces walls = without_walls_in_grains(sheets(grown.swept), grown.grains, options.threads);
+  const DiffusionSurfaces walls =
+      without_walls_in_grains(sheets(grown.swept), grown.grains, variant.spared, options.threads);
   grown.sheets = joined(walls, sheets(grown.grains));
   return grown;
 }

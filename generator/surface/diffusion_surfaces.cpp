@@ -54,18 +54,23 @@ DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces
   return all;
 }
 
-std::uint32_t doubled_vertex(DiffusionSurfaces& surfaces, std::uint32_t vertex) {
-  const auto copy = [vertex](auto& values) {
+std::uint32_t add_vertex(DiffusionSurfaces& surfaces, const DiffusionSurfaces& from, std::uint32_t vertex) {
+  // Both may be the same surfaces.
+  const auto copy = [vertex](auto& to, const auto& values) {
     const auto value = values[vertex];
-    values.push_back(value);
+    to.push_back(value);
   };
-  copy(surfaces.position);
-  copy(surfaces.front_color);
-  copy(surfaces.back_color);
-  copy(surfaces.blur);
-  copy(surfaces.front_hidden);
-  copy(surfaces.back_hidden);
+  copy(surfaces.position, from.position);
+  copy(surfaces.front_color, from.front_color);
+  copy(surfaces.back_color, from.back_color);
+  copy(surfaces.blur, from.blur);
+  copy(surfaces.front_hidden, from.front_hidden);
+  copy(surfaces.back_hidden, from.back_hidden);
   return static_cast<std::uint32_t>(surfaces.vertex_count() - 1);
+}
+
+std::uint32_t doubled_vertex(DiffusionSurfaces& surfaces, std::uint32_t vertex) {
+  return add_vertex(surfaces, surfaces, vertex);
 }
 
 std::uint32_t add_vertex_within(DiffusionSurfaces& surfaces, const DiffusionSurfaces& from, const glm::uvec3& triangle,

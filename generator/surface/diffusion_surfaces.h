@@ -57,6 +57,9 @@ struct DiffusionSurfaces {
 /// their numbers.
 DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces& second);
 
+/// Appends a vertex like one of `from`; the number of the new one.
+std::uint32_t add_vertex(DiffusionSurfaces& surfaces, const DiffusionSurfaces& from, std::uint32_t vertex);
+
 /// Appends a vertex like this one; the number of the new one.
 std::uint32_t doubled_vertex(DiffusionSurfaces& surfaces, std::uint32_t vertex);
 

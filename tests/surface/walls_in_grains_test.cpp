@@ -98,6 +98,13 @@ TEST(WallsInGrains, WhatFacesAirStays) {
   EXPECT_EQ(left.position, skin.position);
 }
 
+TEST(WallsInGrains, WhatIsSparedKeepsItsWall) {
+  const DiffusionSurfaces stone = sphere(0.8, 5);
+  const std::vector<int> spared = {stone.back_part[0]};
+  EXPECT_LT(area(without_walls_in_grains(stone, grain({0.9, 0, 0}))), 0.9 * area(stone));
+  EXPECT_EQ(without_walls_in_grains(stone, grain({0.9, 0, 0}), spared).triangle, stone.triangle);
+}
+
 TEST(WallsInGrains, WallsElsewhereKeepTheirBytes) {
   const DiffusionSurfaces wall = open_sheet(4, height, 7);
   for (const DiffusionSurfaces& grains : {grain({0, 3, 0}), grain({9, 0, 0}), DiffusionSurfaces()}) {
@@ -111,8 +118,8 @@ TEST(WallsInGrains, ThreadsDoNotMatter) {
   DiffusionSurfaces grains;
   for (int i = 0; i < 40; ++i) grains = joined(grains, grain({2.2 * (i % 8), 0.02 * i, 2.2 * (i / 8)}));
   const DiffusionSurfaces wall = open_sheet(60, height, 90);
-  const DiffusionSurfaces one = without_walls_in_grains(wall, grains, {1});
-  const DiffusionSurfaces many = without_walls_in_grains(wall, grains, {3});
+  const DiffusionSurfaces one = without_walls_in_grains(wall, grains, {}, {1});
+  const DiffusionSurfaces many = without_walls_in_grains(wall, grains, {}, {3});
   EXPECT_NE(one.triangle, wall.triangle);
   EXPECT_EQ(one.triangle, many.triangle);
   EXPECT_EQ(one.position, many.position);

@@ -41,13 +41,14 @@ Box<double> box_of(const Corners& c) { return box_around(c[0], c[1], c[2]); }
 
 bool is_line(const std::array<std::uint32_t, 3>& c) { return c[0] == c[1] || c[1] == c[2] || c[2] == c[0]; }
 
-/// The inner surfaces.
-Walls inner_walls(const DiffusionSurfaces& surfaces) {
+/// The inner surfaces, but for those around spared parts.
+Walls inner_walls(const DiffusionSurfaces& surfaces, std::span<const int> spared) {
+  const auto is_spared = [&](int part) { return std::find(spared.begin(), spared.end(), part) != spared.end(); };
   const std::vector<std::uint32_t> first = weld(surfaces.position);
   Walls walls;
   walls.place.assign(surfaces.position.begin(), surfaces.position.end());
   for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
-    if (surfaces.is_boundary(t)) continue;
+    if (surfaces.is_boundary(t) || is_spared(surfaces.front_part[t]) != is_spared(surfaces.back_part[t])) continue;
     const glm::uvec3& v = surfaces.triangle[t];
     const BodyFacet facet{{first[v.x], first[v.y], first[v.z]}, 0};
     if (is_line(facet.corner)) continue;
@@ -182,21 +183,25 @@ Left left_of(const Walls& walls, const std::vector<Core>& cores, const std::vect
   return left;
 }
 
-/// Puts the parts of walls in place of those that are gone.
+/// Puts the parts of walls in place of those that are gone. Vertices are numbered in the order of their use, as reading
+/// a file of the result would number them.
 class WallParter {
+  static constexpr std::uint32_t unset = 0xffffffffu;
+
  public:
-  WallParter(const DiffusionSurfaces& surfaces, const Walls& walls) : from_(surfaces), walls_(walls), to_(surfaces) {
-    to_.triangle.clear(), to_.surface.clear(), to_.front_part.clear(), to_.back_part.clear(), to_.instance.clear();
+  WallParter(const DiffusionSurfaces& surfaces, const Walls& walls)
+      : from_(surfaces), walls_(walls), copy_of_(surfaces.vertex_count(), unset) {
+    to_.surface_names = surfaces.surface_names;
+    to_.part_names = surfaces.part_names;
+    to_.notes = surfaces.notes;
   }
 
   DiffusionSurfaces run(const CrossedSet& crossed, const Left& left) {
     std::uint32_t wall = 0, next = 0;
     for (std::uint32_t t = 0; t < from_.triangle_count(); ++t) {
-      if (wall == walls_.triangle.size() || walls_.triangle[wall] != t) {
-        add(t, from_.triangle[t]);
-        continue;
-      }
-      if (left.is_gone[wall] == 0) add(t, from_.triangle[t]);
+      const bool is_wall = wall < walls_.triangle.size() && walls_.triangle[wall] == t;
+      if (!is_wall || left.is_gone[wall] == 0) add_whole(t);
+      if (!is_wall) continue;
       if (next < crossed.crossed.size() && crossed.crossed[next] == wall) add_parts(wall, left.parts[next++]);
       ++wall;
     }
@@ -204,42 +209,55 @@ class WallParter {
   }
 
  private:
-  void add(std::uint32_t source, const glm::uvec3& triangle) {
-    to_.triangle.push_back(triangle);
+  void add_whole(std::uint32_t source) {
+    glm::uvec3 corners;
+    for (int k = 0; k < 3; ++k) corners[k] = copy_of(from_.triangle[source][k]);
+    add(source, corners);
+  }
+
+  void add_parts(std::uint32_t wall, const std::vector<FacetPart>& parts) {
+    vertex_of_.clear();
+    for (const FacetPart& part : parts) {
+      glm::uvec3 corners;
+      for (int k = 0; k < 3; ++k) corners[k] = vertex_at(wall, part.corner[static_cast<std::size_t>(k)]);
+      add(walls_.triangle[wall], corners);
+    }
+  }
+
+  void add(std::uint32_t source, const glm::uvec3& corners) {
+    to_.triangle.push_back(corners);
     to_.surface.push_back(from_.surface[source]);
     to_.front_part.push_back(from_.front_part[source]);
     to_.back_part.push_back(from_.back_part[source]);
     if (!from_.instance.empty()) to_.instance.push_back(from_.instance[source]);
   }
 
-  void add_parts(std::uint32_t wall, const std::vector<FacetPart>& parts) {
-    const std::uint32_t source = walls_.triangle[wall];
-    vertex_of_.clear();
-    for (std::size_t k = 0; k < 3; ++k)
-      vertex_of_.emplace_back(walls_.facet[wall].corner[k], from_.triangle[source][static_cast<int>(k)]);
-    for (const FacetPart& part : parts) {
-      glm::uvec3 corners;
-      for (int k = 0; k < 3; ++k) corners[k] = vertex_at(source, part.corner[static_cast<std::size_t>(k)]);
-      add(source, corners);
-    }
-  }
-
-  std::uint32_t vertex_at(std::uint32_t source, std::uint32_t point) {
+  std::uint32_t vertex_at(std::uint32_t wall, std::uint32_t point) {
+    const glm::uvec3& whole = from_.triangle[walls_.triangle[wall]];
+    for (int k = 0; k < 3; ++k)
+      if (walls_.facet[wall].corner[static_cast<std::size_t>(k)] == point) return copy_of(whole[k]);
     for (const auto& [known, vertex] : vertex_of_)
       if (known == point) return vertex;
-    vertex_of_.emplace_back(point, add_vertex_within(to_, from_, from_.triangle[source], walls_.place[point]));
+    vertex_of_.emplace_back(point, add_vertex_within(to_, from_, whole, walls_.place[point]));
     return vertex_of_.back().second;
+  }
+
+  std::uint32_t copy_of(std::uint32_t vertex) {
+    if (copy_of_[vertex] == unset) copy_of_[vertex] = add_vertex(to_, from_, vertex);
+    return copy_of_[vertex];
   }
 
   const DiffusionSurfaces& from_;
   const Walls& walls_;
+  std::vector<std::uint32_t> copy_of_;  // per vertex
   DiffusionSurfaces to_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertex_of_;  // of one wall: points and their vertices
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertex_of_;  // of one wall: new points and their vertices
 };
 
 /// The surfaces without what of their walls lies within cores whose boxes lie apart.
-DiffusionSurfaces without_walls_in(const std::vector<Core>& cores, DiffusionSurfaces surfaces, Threads threads) {
-  Walls walls = inner_walls(surfaces);
+DiffusionSurfaces without_walls_in(const std::vector<Core>& cores, DiffusionSurfaces surfaces,
+                                   std::span<const int> spared, Threads threads) {
+  Walls walls = inner_walls(surfaces, spared);
   const std::vector<NearCore> near = near_cores(walls, cores, threads);
   if (near.empty()) return surfaces;
   const CrossedSet crossed = crossed_walls(walls, cores, near, threads);
@@ -250,10 +268,11 @@ DiffusionSurfaces without_walls_in(const std::vector<Core>& cores, DiffusionSurf
 
 }  // namespace
 
-DiffusionSurfaces without_walls_in_grains(DiffusionSurfaces walls, const DiffusionSurfaces& grains, Threads threads) {
+DiffusionSurfaces without_walls_in_grains(DiffusionSurfaces walls, const DiffusionSurfaces& grains,
+                                          std::span<const int> spared, Threads threads) {
   if (walls.triangle.empty()) return walls;
   for (const std::vector<Core>& cores : sets_apart(cores_of(grains)))
-    walls = without_walls_in(cores, std::move(walls), threads);
+    walls = without_walls_in(cores, std::move(walls), spared, threads);
   return walls;
 }
 
