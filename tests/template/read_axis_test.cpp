@@ -85,6 +85,7 @@ TEST(ReadAxis, mistakes_of_stops_and_off_are_found) {
   expect(pit + "horizontal = []\n", 8, 14, "has no stops");
   expect(pit + "off = [[0.0, \"1mm\"]]\n", 8, 14, "must be an array");
   expect(pit + "off = [\"1mm\"]\n", 8, 7, "must be two lengths");
+  expect(pit + "off = [\"0mm\", [[0.0, \"1mm\"], [1.0, \"2mm\"]]]\n", 8, 7, "has a ramp for one of its lengths");
 }
 
 }  // namespace

@@ -118,6 +118,17 @@ TEST_F(ReadPlace, mistakes_in_what_is_placed_are_told_there) {
   EXPECT_THAT(fault("good"), testing::HasSubstr("bad.toml"));
 }
 
+TEST_F(ReadPlace, materials_of_what_is_placed_are_told_where_they_belong) {
+  write("in/small", "");
+  for (const std::string key : {"berry.flesh", "\"berry.flesh\""}) {
+    write("large", place_of("in/small.toml") + "[material." + key + "]\nwet = 2\n");
+    EXPECT_THAT(fault("large"), testing::HasSubstr("write it as [material.PART] into in/small.toml")) << key;
+    EXPECT_THAT(fault("large"), testing::Not(testing::HasSubstr("unknown key"))) << key;
+  }
+  write("large", place_of("in/small.toml") + "[material.flesh]\nwet = 2\n");
+  EXPECT_EQ(fault("large"), "");
+}
+
 TEST_F(ReadPlace, what_is_missing_is_told_alone) {
   write("bunch", place_of("none.toml", "press = { surface = \"skin\" }\nmerge = { skin = \"skin\" }\n"));
   EXPECT_THAT(fault("bunch"), testing::HasSubstr("cannot be read"));

@@ -89,6 +89,8 @@ TEST(ReadSheets, mistakes_are_found) {
   expect(with("count = 7", "count = 0"), 4, 9, "count is 0");
   expect(with("\"leaves\"", "\"skin\""), 2, 8, "is there already");
   expect(with("-90, 0 -90\"", "-90, 0 -90 Z\""), 6, 9, "is no open curve");
+  expect(with("60, 0 -60\"", "60, 3 -60\""), 5, 9, "does not end on the axis");
+  expect(with("-90, 0 -90\"", "-90, 3 -90\""), 6, 9, "does not end on the axis");
   expect(with("M 4 -10", "M -4 -10"), 5, 9, "goes left of the axis");
   expect(with("hidden = true, color = \"#b9d48c\" }\nback = { part",
               "hidden = true, color = \"#b9d48c\" }\nback = { hidden = true, part"),

@@ -138,6 +138,19 @@ MergedParts read_merged(const TomlTable& table, const Template& fruit, const Tem
   return merged;
 }
 
+/// What is placed brings its materials: [material.kernel.hull] would change no part.
+void refuse_materials(const TomlTable& root, const TomlTable& place, const Template& fruit) {
+  if (!root.has("material")) return;
+  const TomlTable materials = root.get("material").table();
+  const std::string name = place.get("name").text(), prefix = name + ".";
+  for (const std::string& key : materials.keys()) {
+    const bool is_own = std::find(fruit.parts.begin(), fruit.parts.end(), key) != fruit.parts.end();
+    if (is_own || (key != name && key.compare(0, prefix.size(), prefix) != 0)) continue;
+    materials.get(key).error("belongs to what place \"" + name + "\" sets here",
+                             "write it as [material.PART] into " + place.get("template").text());
+  }
+}
+
 /// What is brought along counts against the same limits.
 void check_brought(const TomlTable& table, const Template& fruit) {
   if (fruit.parts.size() > max_parts)
@@ -181,6 +194,7 @@ void read_places(const TomlTable& root, const PlacedWithin& within, Template& fr
   for (const TomlTable& entry : root.get("place").tables(max_places)) {
     const TomlTable table = entry.called("place \"" + entry.get("name").text() + "\"");
     names.push_back(read_name(table.need("name"), names));
+    refuse_materials(root, table, fruit);
     MergedParts own;
     std::optional<PlaceSketch> place = read_place(table, within, fruit, own);
     if (!place) continue;

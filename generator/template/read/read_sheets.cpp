@@ -78,12 +78,22 @@ SheetRuffle read_ruffle(const TomlTable& table) {
   return ruffle;
 }
 
+/// The leaves of a head close over the axis.
+void check_ends_on_axis(const TomlValue& value, const Curve& curve) {
+  if (!curve.points.empty() && curve.points.back().x > 0)
+    value.error("does not end on the axis", "draw its upper end to x = 0, or take a rosette, whose leaves stay open");
+}
+
 /// What leaves say, and other sheets do not.
 void read_leaf(const TomlTable& table, SheetSketch& sheet) {
   read_sheet_law(table.get("law").table(), sheet);
   sheet.outline = read_numbers(table.need("outline"), 0.6, {0.02, 1.2});
   sheet.outline_jitter = table.get("outline_jitter").number(0, {0, 0.3});
   const bool over = sheet.kind == SheetSketch::Kind::head;
+  if (over) {
+    check_ends_on_axis(table.get("inner"), sheet.inner);
+    check_ends_on_axis(table.get("outer"), sheet.outer);
+  }
   sheet.reach = read_numbers(table.get("reach"), over ? 1.15 : 0.85, {0.1, over ? 1.6 : 0.97});
   sheet.reach_jitter = table.get("reach_jitter").number(0, {0, 0.2});
   sheet.by_age = read_numbers(table.get("by_age"), 1, {0.1, 4});

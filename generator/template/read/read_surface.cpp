@@ -60,6 +60,10 @@ void read_off(const TomlValue& value, SurfaceSketch& sketch) {
   };
   const std::vector<TomlValue> listed = value.values();
   if (!listed.empty() && listed.front().is(TomlNode::Kind::string)) {
+    const auto is_ramp = [](const TomlValue& length) { return length.is(TomlNode::Kind::array); };
+    if (std::any_of(listed.begin(), listed.end(), is_ramp))
+      return value.error("has a ramp for one of its lengths",
+                         "write stops of both, as in [[0.0, [\"4mm\", \"0mm\"]], [1.0, [\"4mm\", \"2mm\"]]]");
     const auto [x, z] = both(value);
     sketch.off = {Ramp<double>::constant(x), Ramp<double>::constant(z)};
     return;
