@@ -1,6 +1,7 @@
 """Godot 3 without a window: imports a .glb, and runs a script on it."""
 
 import pathlib
+import re
 import shutil
 import subprocess
 import time
@@ -27,8 +28,13 @@ def imported(file, folder, atlas=None):
         editor.wait()
 
 
-def printed(folder, script):
-    """What a script beside this file prints, run in the project."""
+def printed(folder, script, seconds=120):
+    """What a script beside this file prints, run in the project within so many seconds."""
     shutil.copy(pathlib.Path(__file__).with_name(script), folder)
-    result = subprocess.run(["godot3-server", "--path", folder, "-s", script], capture_output=True, text=True, timeout=120)
+    result = subprocess.run(["godot3-server", "--path", folder, "-s", script], capture_output=True, text=True, timeout=seconds)
     return result.stdout
+
+
+def places(out, word):
+    """Of the pieces by their names, metres, as godot_crate.gd prints them after this word."""
+    return {name: tuple(map(float, place.split())) for name, place in re.findall(rf"^{word} (\S+) (.*)$", out, re.M)}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Godot lets the pieces of a full crate move for two seconds: the crate collides by its triangles, and stays full.
-Their shapes begin outside each other.
+"""Godot lets the pieces of a full crate move for two seconds: the crate stands there once, collides by its triangles, and
+stays full. Shapes of pieces begin outside each other.
 
     godot_crate_test.py FILE.glb FOLDER
 """
@@ -11,9 +11,10 @@ import sys
 
 from glb import Glb
 from glb_shapes import deepest, shape
-from godot import imported, printed
+from godot import imported, places, printed
 
 OVERLAPPING = 1e-4  # metres by which shapes overlap at the start
+RESTING = 0.1  # metres a second at the end
 
 
 def shapes_of(glb):
@@ -29,14 +30,14 @@ FILE, FOLDER = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).re
 imported(FILE, FOLDER)
 out = printed(FOLDER, "godot_crate.gd")
 still = re.findall(r"^STILL (\S+) (\w+)$", out, re.M)
-places = {word: {name: tuple(map(float, p.split())) for name, p in re.findall(rf"^{word} (\S+) (.*)$", out, re.M)} for word in ("BEGIN", "END")}
+at = {word: places(out, word) for word in ("BEGIN", "END")}
 
 # Where the crate is: its box, which it is not turned out of, from the file.
 glb = Glb(FILE)
 crate = glb.nodes_with_meshes()["crate"]
 position = glb.json["accessors"][glb.json["meshes"][crate["mesh"]]["primitives"][0]["attributes"]["POSITION"]]
-at = crate.get("translation", [0, 0, 0])
-low, high = ([position[end][k] + at[k] for k in range(3)] for end in ("min", "max"))
+origin = crate.get("translation", [0, 0, 0])
+low, high = ([position[end][k] + origin[k] for k in range(3)] for end in ("min", "max"))
 high[1] += 0.05  # they may be heaped over its rim
 
 
@@ -46,15 +47,18 @@ def is_inside(place):
 
 pieces = [name for name, node in glb.nodes_with_meshes().items() if "col" not in name and name != "crate"]
 wrong = []
-if set(still) != {("crate", "ConcavePolygonShape")}:
+if still != [("crate", "ConcavePolygonShape")]:
     wrong.append(f"what stands still: {still}")
-for word, found in places.items():
+for word, found in at.items():
     if len(found) != len(pieces):
         wrong.append(f"{word}: {len(found)} of {len(pieces)} pieces move")
     wrong += [f"{word}: {name} is out of the crate, at {place}" for name, place in found.items() if not is_inside(place)]
 overlap, one, other = deepest(shapes_of(glb))
 if overlap > OVERLAPPING:
     wrong.append(f"{one} and {other} begin {1000 * overlap:.2f} mm within each other")
+fastest = float(re.search(r"^FASTEST (\S+)$", out, re.M)[1])
+if fastest > RESTING:
+    wrong.append(f"a piece still moves at {fastest} m/s")
 if wrong:
     sys.exit("\n".join(wrong) + "\n" + out[-2000:])
 print(f"godot: {len(pieces)} pieces stay in the crate; they begin {1000 * overlap:.2f} mm deep")

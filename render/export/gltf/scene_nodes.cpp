@@ -143,7 +143,7 @@ void NodeWriter::add_shapes(Json& node, const SolidMeshes& solid, std::span<cons
   const std::string name = node["name"];
   for (std::size_t part = 0; part < hulls.size(); ++part)
     add(hull_name(options_.engine, name, part, hulls.size()), hulls[part]);
-  if (solid.collides_by_triangles) add(triangles_name(options_.engine, name), solid.meshes.front());
+  if (solid.triangles >= 0) add(triangles_name(options_.engine, name), solid.triangles);
 }
 
 int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid, const OwnMeshes& own) {

@@ -12,12 +12,12 @@ namespace pomona::gltf {
 
 /// The meshes of a solid. A solid without triangles has none, because glTF does not allow empty meshes.
 struct SolidMeshes {
-  std::vector<int> meshes;             ///< meshes of the solid, then of its coarser levels
-  std::vector<double> scales;          ///< of the meshes, where they are coded in steps; else empty
-  std::vector<int> hulls;              ///< meshes of the convex parts to collide with
-  bool collides_by_triangles = false;  ///< the solid's own mesh is what others collide with
-  double reach = 0;                    ///< metres from the pivot to the farthest point
-  glm::vec3 pivot{0};                  ///< pivot of the solid: the origin of its meshes
+  std::vector<int> meshes;     ///< meshes of the solid, then of its coarser levels
+  std::vector<double> scales;  ///< of the meshes, where they are coded in steps; else empty
+  std::vector<int> hulls;      ///< meshes of the convex parts to collide with
+  int triangles = -1;          ///< the mesh whose triangles are collided with; -1: none
+  double reach = 0;            ///< metres from the pivot to the farthest point
+  glm::vec3 pivot{0};          ///< pivot of the solid: the origin of its meshes
 };
 
 /// What an instance has in place of its solid's.

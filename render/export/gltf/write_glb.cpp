@@ -53,6 +53,7 @@ class GlbStream::Writer {
   void add_shapes(const Solid& solid, const std::string& mesh_name);
   std::vector<int> hull_meshes(const std::vector<ConvexHull>& parts, const glm::vec3& pivot,
                                const std::string& mesh_name);
+  int bare_mesh(int mesh, const std::string& name);
   int copied_mesh(int mesh, const std::string& name);
   std::vector<OwnMeshes> settled_shapes(const Scene& scene);
 
@@ -118,8 +119,10 @@ void GlbStream::Writer::add_shapes(const Solid& solid, const std::string& mesh_n
   SolidMeshes& made = solids_.back();
   if (hull_name(options_.engine, mesh_name, 0, 1).empty()) return;
   const bool by_triangles = !is_fruit(solid) && !triangles_name(options_.engine, mesh_name).empty();
-  made.collides_by_triangles = by_triangles;
-  if (!by_triangles) waiting_.back() = mesh_name;
+  if (by_triangles)
+    made.triangles = bare_mesh(made.meshes.front(), triangles_name(options_.engine, mesh_name));
+  else
+    waiting_.back() = mesh_name;
   if (waiting_.back().empty() || !solid.origin.entry.empty()) return;
   made.hulls = hull_meshes(parts_.back(), made.pivot, mesh_name);
   waiting_.back().clear();
@@ -137,6 +140,16 @@ std::vector<int> GlbStream::Writer::hull_meshes(const std::vector<ConvexHull>& p
                                               {"primitives", Json::array({std::move(primitive)})}}));
   }
   return meshes;
+}
+
+/// A mesh of the same triangles, which take no more bytes, without what is only seen. Godot gives each node of a mesh
+/// that it has collided with a body: if the dish had the same mesh, it would stand there twice.
+int GlbStream::Writer::bare_mesh(int mesh, const std::string& name) {
+  Json primitives = Json::array();
+  for (const Json& seen : document_.at("meshes", mesh)["primitives"])
+    primitives.push_back(
+        {{"attributes", {{"POSITION", seen["attributes"]["POSITION"]}}}, {"indices", seen["indices"]}});
+  return document_.add("meshes", {{"name", name}, {"primitives", std::move(primitives)}});
 }
 
 int GlbStream::Writer::copied_mesh(int mesh, const std::string& name) {

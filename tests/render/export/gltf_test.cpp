@@ -405,6 +405,10 @@ TEST(Gltf, EnginesFindHullsAndLevelsByTheirNames) {
   for (const std::string& name : names_of(unity["nodes"])) EXPECT_THAT(name, testing::Not(testing::HasSubstr(".")));
 }
 
+Json mesh_of(const Json& gltf, const std::string& node) {
+  return gltf["meshes"][node_called(gltf, node)["mesh"].get<int>()];
+}
+
 TEST(Gltf, DishesCollideByTheirTrianglesOrByParts) {
   Scene scene = named::mixed();
   scene.instances.resize(1);
@@ -414,13 +418,16 @@ TEST(Gltf, DishesCollideByTheirTrianglesOrByParts) {
   ASSERT_EQ(dish["children"].size(), 1u);
   const Json shape = godot["nodes"][dish["children"][0].get<int>()];
   EXPECT_EQ(shape["name"], scene.instances[0].name + "-colonly");
-  EXPECT_EQ(shape["mesh"], dish["mesh"]) << "no bytes for it";
+  EXPECT_NE(shape["mesh"], dish["mesh"]) << "Godot would take the dish that is seen for a second one to collide with";
+  const Json of_shape = mesh_of(godot, shape["name"])["primitives"], seen = mesh_of(godot, dish["name"])["primitives"];
+  ASSERT_EQ(of_shape.size(), seen.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_EQ(of_shape[i]["indices"], seen[i]["indices"]) << "no bytes for it";
+    EXPECT_EQ(of_shape[i]["attributes"]["POSITION"], seen[i]["attributes"]["POSITION"]);
+    EXPECT_EQ(of_shape[i]["attributes"].size(), 1u) << "nobody sees it";
+  }
   const Json unreal = parsed(write_glb(scene, {.engine = Engine::unreal}));
   EXPECT_THAT(names_of(unreal["nodes"]), testing::Contains("UCX_" + scene.instances[0].name + "_00"));
-}
-
-Json mesh_of(const Json& gltf, const std::string& node) {
-  return gltf["meshes"][node_called(gltf, node)["mesh"].get<int>()];
 }
 
 /// How deep shapes of two neighbours of settled_balls() lie within each other, metres; of their nodes' names.
