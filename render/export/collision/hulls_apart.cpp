@@ -193,4 +193,19 @@ std::vector<TrimmedHulls> hulls_apart(std::span<const StandingHulls> bodies, Thr
   return trimmed;
 }
 
+std::vector<std::array<std::size_t, 2>> bodies_that_overlap(std::span<const StandingHulls> bodies, Threads threads) {
+  const std::vector<StandingPart> parts = all_standing(bodies);
+  const std::vector<Pair> pairs = pairs_that_meet(parts);
+  std::vector<char> overlap(pairs.size());
+  parallel_for(pairs.size(), threads, [&](std::size_t i) {
+    overlap[i] = directions_between(parts[pairs[i][0]], parts[pairs[i][1]]).empty() ? 0 : 1;
+  });
+  std::vector<Pair> found;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (overlap[i]) found.push_back({parts[pairs[i][0]].body, parts[pairs[i][1]].body});
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
 }  // namespace pomona

@@ -1,6 +1,8 @@
 // Hulls of settled pieces, so that none begins within another.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,5 +33,8 @@ struct TrimmedHulls {
 /// simulator takes that for a blow, and throws them apart. Here each two parts that overlap are cut apart by a plane:
 /// of many, the one that takes the least of both, in shares of their volumes. Parts of one body may overlap.
 std::vector<TrimmedHulls> hulls_apart(std::span<const StandingHulls> bodies, Threads threads);
+
+/// Each two bodies that hulls_apart() would cut, as indices in ascending order.
+std::vector<std::array<std::size_t, 2>> bodies_that_overlap(std::span<const StandingHulls> bodies, Threads threads);
 
 }  // namespace pomona

@@ -92,8 +92,7 @@ double lowest_of(const SimulatedScene& scene) {
   return lowest;
 }
 
-/// The scene with hulls that leave room for each other.
-SimulatedScene with_hulls_apart(SimulatedScene made, Threads threads) {
+std::vector<StandingHulls> standing_hulls(const SimulatedScene& made) {
   std::vector<StandingHulls> standing;
   for (const SimulatedBody& body : made.bodies) {
     const SimulatedKind& kind = made.kinds[static_cast<std::size_t>(body.kind)];
@@ -101,7 +100,12 @@ SimulatedScene with_hulls_apart(SimulatedScene made, Threads threads) {
     for (const HullMesh& part : kind.hulls) hulls.parts.push_back(&part.hull);
     standing.push_back(std::move(hulls));
   }
-  std::vector<TrimmedHulls> trimmed = hulls_apart(standing, threads);
+  return standing;
+}
+
+/// The scene with hulls that leave room for each other.
+SimulatedScene with_hulls_apart(SimulatedScene made, Threads threads) {
+  std::vector<TrimmedHulls> trimmed = hulls_apart(standing_hulls(made), threads);
   for (std::size_t i = 0; i < trimmed.size(); ++i) {
     SimulatedBody& body = made.bodies[i];
     for (ConvexHull& hull : trimmed[i].parts) {
@@ -113,7 +117,7 @@ SimulatedScene with_hulls_apart(SimulatedScene made, Threads threads) {
 }
 
 /// The scene with its welds. Each solid of a cut is there once.
-SimulatedScene welded(SimulatedScene made, const Scene& scene) {
+SimulatedScene welded(SimulatedScene made, const Scene& scene, Threads threads) {
   std::map<int, int> body_of;
   for (std::size_t i = 0; i < made.bodies.size(); ++i) body_of[made.bodies[i].kind] = static_cast<int>(i);
   for (const Weld& weld : welds_of(scene.solids)) {
@@ -123,6 +127,10 @@ SimulatedScene welded(SimulatedScene made, const Scene& scene) {
     made.welds.push_back({weld_name(contact), first->second, second->second, contact.area, weld.strength});
     if (contact.cut != around_spared) continue;
     for (const auto& end : {first, second}) made.bodies[static_cast<std::size_t>(end->second)].is_around_spared = true;
+  }
+  for (const auto& [first, second] : bodies_that_overlap(standing_hulls(made), threads)) {
+    if (made.bodies[first].is_around_spared && made.bodies[second].is_around_spared) continue;
+    made.overlapping.push_back({static_cast<int>(first), static_cast<int>(second)});
   }
   return made;
 }
@@ -170,7 +178,8 @@ SimulatedScene simulated_scene(const Scene& scene, const ExportOptions& options)
                            rotation_with_up(UpAxis::z, rotation)});
   }
   made.ground = lowest_of(made);
-  return options.welded ? welded(std::move(made), scene) : with_hulls_apart(std::move(made), options.threads);
+  return options.welded ? welded(std::move(made), scene, options.threads)
+                        : with_hulls_apart(std::move(made), options.threads);
 }
 
 }  // namespace pomona

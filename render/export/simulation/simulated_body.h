@@ -1,6 +1,7 @@
 // The bodies of a scene, as simulators take them.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -67,7 +68,11 @@ struct SimulatedScene {
   std::vector<SimulatedKind> kinds;  ///< one a solid of the scene, without anything for solids without triangles
   std::vector<SimulatedBody> bodies;
   std::vector<SimulatedWeld> welds;  ///< where the options want them
-  double ground = 0;                 ///< height of the ground, which nothing begins below
+
+  /// Of a welded fruit: each two bodies, by their indices, that never collide, since hulls of the two overlap. The hull
+  /// of a ring is full, and what lies in the ring lies in it. Two that are around a spared part are not listed.
+  std::vector<std::array<int, 2>> overlapping;
+  double ground = 0;  ///< height of the ground, which nothing begins below
 };
 
 /// What the body collides with.

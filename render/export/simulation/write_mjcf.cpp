@@ -113,6 +113,15 @@ std::string camera_text(const View& view) {
          turned(frame.up) + "\" fovy=\"" + exact(view.vertical_field * 180 / pi) + "\"/>\n";
 }
 
+void append_exclusions(std::string& text, const SimulatedScene& made) {
+  if (made.overlapping.empty()) return;
+  const auto body = [&](int number) { return made.bodies[static_cast<std::size_t>(number)].name; };
+  text += "  <contact>\n";
+  for (const auto& [first, second] : made.overlapping)
+    text += "    <exclude body1=\"" + body(first) + "\" body2=\"" + body(second) + "\"/>\n";
+  text += "  </contact>\n";
+}
+
 /// MuJoCo's welds never break: who runs the model compares the force of each with its strength, which stands beside it
 /// as a number, and lets it go.
 void append_welds(std::string& text, const SimulatedScene& made) {
@@ -155,6 +164,7 @@ std::string write_mjcf(const Scene& scene, const ExportOptions& options) {
           "\" rgba=\"0.93 0.90 0.83 1\" " + contact + "/>\n";
   for (const SimulatedBody& body : made.bodies) append_body(text, made, body);
   text += "  </worldbody>\n";
+  append_exclusions(text, made);
   append_welds(text, made);
   return text + "</mujoco>\n";
 }

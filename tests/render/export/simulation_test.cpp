@@ -81,6 +81,20 @@ TEST(Mjcf, UpIsZ) {
               testing::HasSubstr("pos=\"1 -3 2\" quat=\"0.7071067811865476 0.7071067811865476 0 0\""));
 }
 
+/// The hull of a ring is full, so that the core within would push its welds apart.
+TEST(Mjcf, WeldedBodiesWhoseHullsOverlapDoNotCollide) {
+  const auto excluded = [](bool welded) {
+    pugi::xml_document file;
+    EXPECT_TRUE(file.load_string(write_mjcf(named::settled_balls(), {.welded = welded}).c_str()));
+    std::vector<std::string> pairs;
+    for (const pugi::xml_node pair : file.child("mujoco").child("contact").children("exclude"))
+      pairs.push_back(std::string(pair.attribute("body1").value()) + " " + pair.attribute("body2").value());
+    return pairs;
+  };
+  EXPECT_EQ(excluded(true), std::vector<std::string>{"ball_3 ball_4"}) << "the others share a surface, as a stone does";
+  EXPECT_TRUE(excluded(false).empty()) << "there shapes are cut apart";
+}
+
 TEST(Urdf, NamesTheMeshesThatLieBesideIt) {
   const UrdfFiles files = write_urdf(box_on_ball(), "bowl");
   pugi::xml_document file;
