@@ -98,7 +98,8 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="FOLDER")
     parser.add_argument("--styles", nargs=2, default=["ink", "photo"])
     parser.add_argument("--unseen", default="gouache")
-    parser.add_argument("--count", type=int, default=200, help="pictures of each set to train on; tests have half as many")
+    parser.add_argument("--count", type=int, default=200, help="pictures of each set to train on")
+    parser.add_argument("--tests", type=int, help="pictures of each set to test on; half as many unless told")
     parser.add_argument("--size", type=int, nargs=2, default=[640, 480], help="of pictures, pixels")
     parser.add_argument("--program", default=pathlib.Path(__file__).resolve().parent.parent / "build" / "pomona")
     options = parser.parse_args()
@@ -106,7 +107,8 @@ def main():
     parts = ("train", "validation", "test")
     first, second = options.styles
     training = {first: [first], second: [second], f"{first} and {second}": [first, second]}
-    tests = {style: pieces_of(data_set(options, "test-" + style, [style], max(1, options.count // 2)), parts)
+    count = options.tests or max(1, options.count // 2)
+    tests = {style: pieces_of(data_set(options, "test-" + style, [style], count), parts)
              for style in (first, second, options.unseen)}
     print("| trained on | pieces | " + " | ".join(f"tested on {style}" for style in tests) + " |")
     print("|---|--:|" + "--:|" * len(tests))
