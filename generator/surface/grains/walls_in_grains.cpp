@@ -25,38 +25,45 @@ struct Core {
   std::vector<glm::dvec3> point;
   std::vector<std::array<std::uint32_t, 3>> facet;  ///< points; those at one place are one
   Box<double> box;
+  std::uint32_t set = 0;  ///< the boxes of a set lie apart
 
   Corners corners(std::size_t f) const { return {point[facet[f][0]], point[facet[f][1]], point[facet[f][2]]}; }
 };
 
-/// Triangles that may end in a core.
+/// A triangle of the inner surfaces, or what cores have left of it.
+struct WallTriangle {
+  std::uint32_t triangle = 0;           ///< of the surfaces
+  std::array<std::uint32_t, 3> corner;  ///< points
+  std::vector<std::uint32_t> near;      ///< cores whose boxes meet its own
+  bool is_gone = false;                 ///< it lies in a core, or its parts follow
+};
+
 struct Walls {
-  std::vector<std::uint32_t> triangle;  ///< of the surfaces
-  std::vector<BodyFacet> facet;         ///< the same; of body 0
-  std::vector<Box<double>> box;
-  std::vector<glm::dvec3> place;  ///< points: the surfaces' vertices, of which facets take the first at a place
+  std::vector<WallTriangle> wall;  ///< near cores
+  std::vector<glm::dvec3>
+      place;  ///< points: the surfaces' vertices, of which walls take the first at a place, and more
+
+  Corners corners(const WallTriangle& w) const { return {place[w.corner[0]], place[w.corner[1]], place[w.corner[2]]}; }
 };
 
 Box<double> box_of(const Corners& c) { return box_around(c[0], c[1], c[2]); }
 
 bool is_line(const std::array<std::uint32_t, 3>& c) { return c[0] == c[1] || c[1] == c[2] || c[2] == c[0]; }
 
-/// The inner surfaces, but for those around spared parts.
-Walls inner_walls(const DiffusionSurfaces& surfaces, std::span<const int> spared) {
-  const auto is_spared = [&](int part) { return std::find(spared.begin(), spared.end(), part) != spared.end(); };
-  const std::vector<std::uint32_t> first = weld(surfaces.position);
-  Walls walls;
-  walls.place.assign(surfaces.position.begin(), surfaces.position.end());
-  for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
-    if (surfaces.is_boundary(t) || is_spared(surfaces.front_part[t]) != is_spared(surfaces.back_part[t])) continue;
-    const glm::uvec3& v = surfaces.triangle[t];
-    const BodyFacet facet{{first[v.x], first[v.y], first[v.z]}, 0};
-    if (is_line(facet.corner)) continue;
-    walls.triangle.push_back(t);
-    walls.facet.push_back(facet);
-    walls.box.push_back(box_of({walls.place[v.x], walls.place[v.y], walls.place[v.z]}));
+/// The cores, with their sets.
+std::vector<Core> in_sets(std::vector<Core> cores) {
+  std::vector<Box<float>> box;
+  box.reserve(cores.size());
+  for (const Core& core : cores) box.push_back({glm::vec3(core.box.low), glm::vec3(core.box.high)});
+  std::vector<std::vector<std::uint32_t>> met(cores.size());  // earlier ones
+  for (const auto& [a, b] : overlapping_boxes(box)) met[b].push_back(a);
+  for (std::size_t c = 0; c < cores.size(); ++c) {
+    const auto is_taken = [&](std::uint32_t set) {
+      return std::any_of(met[c].begin(), met[c].end(), [&](std::uint32_t other) { return cores[other].set == set; });
+    };
+    while (is_taken(cores[c].set)) ++cores[c].set;
   }
-  return walls;
+  return cores;
 }
 
 /// Each grain, smaller about the middle of its box.
@@ -90,63 +97,88 @@ std::vector<Core> cores_of(const DiffusionSurfaces& grains) {
     for (glm::dvec3& p : core.point) p = glm::mix(middle, p, core_size);
     core.box = box_around(core.point);
   }
-  return cores;
+  return in_sets(std::move(cores));
 }
 
-/// The cores in sets; the boxes of a set lie apart.
-std::vector<std::vector<Core>> sets_apart(std::vector<Core> cores) {
-  std::vector<Box<float>> box;
-  box.reserve(cores.size());
-  for (const Core& core : cores) box.push_back({glm::vec3(core.box.low), glm::vec3(core.box.high)});
-  std::vector<std::vector<std::uint32_t>> met(cores.size());  // earlier ones
-  for (const auto& [a, b] : overlapping_boxes(box)) met[b].push_back(a);
-  std::vector<std::vector<Core>> sets;
-  std::vector<std::size_t> set_of(cores.size());
-  for (std::size_t c = 0; c < cores.size(); ++c) {
-    const auto is_taken = [&](std::size_t set) {
-      return std::any_of(met[c].begin(), met[c].end(), [&](std::uint32_t other) { return set_of[other] == set; });
-    };
-    while (is_taken(set_of[c])) ++set_of[c];
-    if (set_of[c] == sets.size()) sets.emplace_back();
-    sets[set_of[c]].push_back(std::move(cores[c]));
+/// The inner surfaces, but for those around spared parts.
+std::vector<std::uint32_t> inner_triangles(const DiffusionSurfaces& surfaces, std::span<const int> spared) {
+  const auto is_spared = [&](int part) { return std::find(spared.begin(), spared.end(), part) != spared.end(); };
+  std::vector<std::uint32_t> inner;
+  for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
+    if (!surfaces.is_boundary(t) && is_spared(surfaces.front_part[t]) == is_spared(surfaces.back_part[t]))
+      inner.push_back(t);
   }
-  return sets;
+  return inner;
 }
 
-/// A wall whose box meets that of a core.
+/// Those of the triangles that are near a core.
+Walls walls_near(const std::vector<Core>& cores, const DiffusionSurfaces& surfaces,
+                 const std::vector<std::uint32_t>& triangles, Threads threads) {
+  std::vector<Box<double>> wall_box, core_box;
+  wall_box.reserve(triangles.size()), core_box.reserve(cores.size());
+  for (const std::uint32_t t : triangles) {
+    const glm::uvec3& v = surfaces.triangle[t];
+    wall_box.push_back(box_of({surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]}));
+  }
+  for (const Core& core : cores) core_box.push_back(core.box);
+  std::vector<BoxPair> pairs = overlapping_boxes(wall_box, core_box, threads);
+  std::sort(pairs.begin(), pairs.end());
+  Walls walls;
+  walls.place.assign(surfaces.position.begin(), surfaces.position.end());
+  const std::vector<std::uint32_t> first = weld(surfaces.position);
+  for (const auto& [number, core] : pairs) {
+    const std::uint32_t t = triangles[number];
+    const glm::uvec3& v = surfaces.triangle[t];
+    const std::array<std::uint32_t, 3> corner{first[v.x], first[v.y], first[v.z]};
+    if (is_line(corner)) continue;
+    if (walls.wall.empty() || walls.wall.back().triangle != t) walls.wall.push_back({t, corner, {}, false});
+    walls.wall.back().near.push_back(core);
+  }
+  return walls;
+}
+
+/// A wall and a core whose boxes meet.
 using NearCore = BoxPair;
 
-std::vector<NearCore> near_cores(const Walls& walls, const std::vector<Core>& cores, Threads threads) {
-  std::vector<Box<double>> box;
-  box.reserve(cores.size());
-  for (const Core& core : cores) box.push_back(core.box);
-  return overlapping_boxes(walls.box, box, threads);
+/// What is left of the walls and the cores of one set that are near them: by core, then by wall.
+std::vector<NearCore> near_cores(const Walls& walls, const std::vector<Core>& cores, std::uint32_t set) {
+  std::vector<NearCore> near;
+  for (std::uint32_t w = 0; w < walls.wall.size(); ++w) {
+    if (walls.wall[w].is_gone) continue;
+    for (const std::uint32_t core : walls.wall[w].near)
+      if (cores[core].set == set) near.emplace_back(w, core);
+  }
+  std::stable_sort(near.begin(), near.end(), [](const NearCore& a, const NearCore& b) { return a.second < b.second; });
+  return near;
 }
 
 /// The walls that cores cross, and where. Adds points to the walls'.
-CrossedSet crossed_walls(Walls& walls, const std::vector<Core>& cores, std::vector<NearCore> near, Threads threads) {
-  std::stable_sort(near.begin(), near.end(), [](const NearCore& a, const NearCore& b) { return a.second < b.second; });
-  std::vector<BodyFacet> facets;
+CrossedSet crossed_walls(Walls& walls, const std::vector<Core>& cores, const std::vector<NearCore>& near,
+                         Threads threads) {
+  std::vector<BodyFacet> wall_facet, core_facet;
+  wall_facet.reserve(walls.wall.size());
+  for (const WallTriangle& wall : walls.wall) wall_facet.push_back({wall.corner, 0});
   std::vector<BoxPair> pairs;
   std::vector<Box<double>> box;
   for (std::size_t i = 0, end; i < near.size(); i = end) {
     const Core& core = cores[near[i].second];
     const auto points = static_cast<std::uint32_t>(walls.place.size());
-    const auto begin = static_cast<std::uint32_t>(facets.size());
+    const auto begin = static_cast<std::uint32_t>(core_facet.size());
     walls.place.insert(walls.place.end(), core.point.begin(), core.point.end());
     box.clear();
     for (std::size_t f = 0; f < core.facet.size(); ++f) {
       const auto& [a, b, c] = core.facet[f];
-      facets.push_back({{points + a, points + b, points + c}, static_cast<std::int32_t>(near[i].second)});
+      core_facet.push_back({{points + a, points + b, points + c}, static_cast<std::int32_t>(near[i].second)});
       box.push_back(box_of(core.corners(f)));
     }
     for (end = i; end < near.size() && near[end].second == near[i].second; ++end) {
+      const Box<double> wall = box_of(walls.corners(walls.wall[near[end].first]));
       for (std::uint32_t f = 0; f < box.size(); ++f) {
-        if (walls.box[near[end].first].meets(box[f])) pairs.emplace_back(near[end].first, begin + f);
+        if (wall.meets(box[f])) pairs.emplace_back(near[end].first, begin + f);
       }
     }
   }
-  return body_crossings(walls.facet, facets, pairs, walls.place, threads).first;
+  return body_crossings(wall_facet, core_facet, pairs, walls.place, threads).first;
 }
 
 bool lies_in(const Core& core, const glm::dvec3& point) {
@@ -156,54 +188,64 @@ bool lies_in(const Core& core, const glm::dvec3& point) {
   return winding > 0;
 }
 
-/// What is left of walls. One whose parts cannot be told, because a grain crosses itself there, is left whole.
-struct Left {
-  std::vector<std::uint8_t> is_gone;          ///< per wall: replaced by its parts, if it has any
-  std::vector<std::vector<FacetPart>> parts;  ///< per crossed wall: those outside all cores
-};
-
-Left left_of(const Walls& walls, const std::vector<Core>& cores, const std::vector<NearCore>& near,
-             const CrossedSet& crossed) {
-  Left left{std::vector<std::uint8_t>(walls.facet.size(), 0),
-            std::vector<std::vector<FacetPart>>(crossed.crossed.size())};
-  std::vector<std::uint8_t> is_crossed(walls.facet.size(), 0);
-  for (std::size_t i = 0; i < crossed.crossed.size(); ++i) {
-    is_crossed[crossed.crossed[i]] = 1;
-    std::optional<std::vector<FacetPart>> parts = parts_of(crossed.facet[i], walls.place);
-    if (!parts) continue;
-    left.is_gone[crossed.crossed[i]] = 1;
-    std::erase_if(*parts, [](const FacetPart& part) { return part.inside != FacetPart::outside; });
-    left.parts[i] = std::move(*parts);
+/// Puts the parts of a wall that lie outside cores behind the walls, each with the cores that are near it.
+void part_wall(Walls& walls, std::uint32_t number, const std::vector<FacetPart>& parts,
+               const std::vector<Core>& cores) {
+  walls.wall[number].is_gone = true;
+  for (const FacetPart& part : parts) {
+    if (part.inside != FacetPart::outside) continue;
+    const WallTriangle& whole = walls.wall[number];
+    WallTriangle wall{whole.triangle, part.corner, {}, false};
+    const Box<double> box = box_of(walls.corners(wall));
+    for (const std::uint32_t core : whole.near)
+      if (cores[core].box.meets(box)) wall.near.push_back(core);
+    walls.wall.push_back(std::move(wall));
   }
-  for (const auto& [wall, core] : near) {
-    if (is_crossed[wall] != 0 || left.is_gone[wall] != 0) continue;
-    // The corners of a wall that nothing crosses lie on one side.
-    if (lies_in(cores[core], walls.place[walls.facet[wall].corner[0]])) left.is_gone[wall] = 1;
-  }
-  return left;
 }
 
-/// Puts the parts of walls in place of those that are gone. Vertices are numbered in the order of their use, as reading
-/// a file of the result would number them.
-class WallParter {
+/// Takes what lies in cores of one set out of the walls. A wall whose parts cannot be told, because a grain crosses
+/// itself there, is left whole.
+void part_walls(Walls& walls, const std::vector<Core>& cores, std::uint32_t set, Threads threads) {
+  const std::vector<NearCore> near = near_cores(walls, cores, set);
+  const CrossedSet crossed = crossed_walls(walls, cores, near, threads);
+  std::vector<std::uint8_t> is_crossed(walls.wall.size(), 0);
+  for (const std::uint32_t wall : crossed.crossed) is_crossed[wall] = 1;
+  for (const auto& [number, core] : near) {
+    WallTriangle& wall = walls.wall[number];
+    // The corners of a wall that nothing crosses lie on one side.
+    if (is_crossed[number] == 0 && !wall.is_gone) wall.is_gone = lies_in(cores[core], walls.place[wall.corner[0]]);
+  }
+  for (std::size_t i = 0; i < crossed.crossed.size(); ++i) {
+    const std::optional<std::vector<FacetPart>> parts = parts_of(crossed.facet[i], walls.place);
+    if (parts) part_wall(walls, crossed.crossed[i], *parts, cores);
+  }
+}
+
+/// Puts what is left of walls in their place. Vertices are numbered in the order of their use, as reading a file of the
+/// result would number them.
+class WallReplacer {
   static constexpr std::uint32_t unset = 0xffffffffu;
 
  public:
-  WallParter(const DiffusionSurfaces& surfaces, const Walls& walls)
+  WallReplacer(const DiffusionSurfaces& surfaces, const Walls& walls)
       : from_(surfaces), walls_(walls), copy_of_(surfaces.vertex_count(), unset) {
     to_.surface_names = surfaces.surface_names;
     to_.part_names = surfaces.part_names;
     to_.notes = surfaces.notes;
   }
 
-  DiffusionSurfaces run(const CrossedSet& crossed, const Left& left) {
-    std::uint32_t wall = 0, next = 0;
+  DiffusionSurfaces run() {
+    std::vector<const WallTriangle*> order;
+    for (const WallTriangle& wall : walls_.wall) order.push_back(&wall);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const WallTriangle* a, const WallTriangle* b) { return a->triangle < b->triangle; });
+    auto next = order.begin();
     for (std::uint32_t t = 0; t < from_.triangle_count(); ++t) {
-      const bool is_wall = wall < walls_.triangle.size() && walls_.triangle[wall] == t;
-      if (!is_wall || left.is_gone[wall] == 0) add_whole(t);
-      if (!is_wall) continue;
-      if (next < crossed.crossed.size() && crossed.crossed[next] == wall) add_parts(wall, left.parts[next++]);
-      ++wall;
+      vertex_of_.clear();
+      const auto is_of_it = [&] { return next != order.end() && (*next)->triangle == t; };
+      if (!is_of_it()) add_whole(t);
+      for (; is_of_it(); ++next)
+        if (!(*next)->is_gone) add_wall(**next);
     }
     return std::move(to_);
   }
@@ -215,13 +257,10 @@ class WallParter {
     add(source, corners);
   }
 
-  void add_parts(std::uint32_t wall, const std::vector<FacetPart>& parts) {
-    vertex_of_.clear();
-    for (const FacetPart& part : parts) {
-      glm::uvec3 corners;
-      for (int k = 0; k < 3; ++k) corners[k] = vertex_at(wall, part.corner[static_cast<std::size_t>(k)]);
-      add(walls_.triangle[wall], corners);
-    }
+  void add_wall(const WallTriangle& wall) {
+    glm::uvec3 corners;
+    for (int k = 0; k < 3; ++k) corners[k] = vertex_at(wall.triangle, wall.corner[static_cast<std::size_t>(k)]);
+    add(wall.triangle, corners);
   }
 
   void add(std::uint32_t source, const glm::uvec3& corners) {
@@ -232,14 +271,18 @@ class WallParter {
     if (!from_.instance.empty()) to_.instance.push_back(from_.instance[source]);
   }
 
-  std::uint32_t vertex_at(std::uint32_t wall, std::uint32_t point) {
-    const glm::uvec3& whole = from_.triangle[walls_.triangle[wall]];
-    for (int k = 0; k < 3; ++k)
-      if (walls_.facet[wall].corner[static_cast<std::size_t>(k)] == point) return copy_of(whole[k]);
+  std::uint32_t vertex_at(std::uint32_t source, std::uint32_t point) {
+    const glm::uvec3& whole = from_.triangle[source];
+    if (point < from_.vertex_count()) return copy_of(corner_at(whole, point));
     for (const auto& [known, vertex] : vertex_of_)
       if (known == point) return vertex;
     vertex_of_.emplace_back(point, add_vertex_within(to_, from_, whole, walls_.place[point]));
     return vertex_of_.back().second;
+  }
+
+  std::uint32_t corner_at(const glm::uvec3& whole, std::uint32_t point) const {
+    const glm::vec3 place(walls_.place[point]);
+    return from_.position[whole.x] == place ? whole.x : from_.position[whole.y] == place ? whole.y : whole.z;
   }
 
   std::uint32_t copy_of(std::uint32_t vertex) {
@@ -251,29 +294,22 @@ class WallParter {
   const Walls& walls_;
   std::vector<std::uint32_t> copy_of_;  // per vertex
   DiffusionSurfaces to_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertex_of_;  // of one wall: new points and their vertices
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertex_of_;  // of one triangle: new points and their vertices
 };
-
-/// The surfaces without what of their walls lies within cores whose boxes lie apart.
-DiffusionSurfaces without_walls_in(const std::vector<Core>& cores, DiffusionSurfaces surfaces,
-                                   std::span<const int> spared, Threads threads) {
-  Walls walls = inner_walls(surfaces, spared);
-  const std::vector<NearCore> near = near_cores(walls, cores, threads);
-  if (near.empty()) return surfaces;
-  const CrossedSet crossed = crossed_walls(walls, cores, near, threads);
-  const Left left = left_of(walls, cores, near, crossed);
-  if (std::find(left.is_gone.begin(), left.is_gone.end(), 1) == left.is_gone.end()) return surfaces;
-  return WallParter(surfaces, walls).run(crossed, left);
-}
 
 }  // namespace
 
 DiffusionSurfaces without_walls_in_grains(DiffusionSurfaces walls, const DiffusionSurfaces& grains,
                                           std::span<const int> spared, Threads threads) {
-  if (walls.triangle.empty()) return walls;
-  for (const std::vector<Core>& cores : sets_apart(cores_of(grains)))
-    walls = without_walls_in(cores, std::move(walls), spared, threads);
-  return walls;
+  const std::vector<std::uint32_t> inner = inner_triangles(walls, spared);
+  if (inner.empty() || grains.triangle.empty()) return walls;
+  const std::vector<Core> cores = cores_of(grains);
+  Walls left = walls_near(cores, walls, inner, threads);
+  const auto last = std::max_element(cores.begin(), cores.end(), [](auto& a, auto& b) { return a.set < b.set; });
+  for (std::uint32_t set = 0; set <= last->set; ++set) part_walls(left, cores, set, threads);
+  if (std::none_of(left.wall.begin(), left.wall.end(), [](const WallTriangle& wall) { return wall.is_gone; }))
+    return walls;
+  return WallReplacer(walls, left).run();
 }
 
 }  // namespace pomona
