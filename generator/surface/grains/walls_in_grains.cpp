@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "generator/mesh/connected_vertices.h"
 #include "generator/mesh/crossings/body_crossings.h"
@@ -47,6 +51,13 @@ struct Walls {
 };
 
 Box<double> box_of(const Corners& c) { return box_around(c[0], c[1], c[2]); }
+
+/// True unless the triangle's plane passes the box by.
+bool plane_meets(const Corners& c, const Box<double>& box) {
+  const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+  const double reach = glm::dot(glm::abs(normal), 0.5 * box.size());
+  return std::fabs(glm::dot(normal, box.center() - c[0])) <= (1 + 1e-9) * reach;  // rounding takes less
+}
 
 bool is_line(const std::array<std::uint32_t, 3>& c) { return c[0] == c[1] || c[1] == c[2] || c[2] == c[0]; }
 
@@ -111,15 +122,17 @@ std::vector<std::uint32_t> inner_triangles(const DiffusionSurfaces& surfaces, st
   return inner;
 }
 
+Corners corners_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
+  const glm::uvec3& v = surfaces.triangle[triangle];
+  return {surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]};
+}
+
 /// Those of the triangles that are near a core.
 Walls walls_near(const std::vector<Core>& cores, const DiffusionSurfaces& surfaces,
                  const std::vector<std::uint32_t>& triangles, Threads threads) {
   std::vector<Box<double>> wall_box, core_box;
   wall_box.reserve(triangles.size()), core_box.reserve(cores.size());
-  for (const std::uint32_t t : triangles) {
-    const glm::uvec3& v = surfaces.triangle[t];
-    wall_box.push_back(box_of({surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]}));
-  }
+  for (const std::uint32_t t : triangles) wall_box.push_back(box_of(corners_of(surfaces, t)));
   for (const Core& core : cores) core_box.push_back(core.box);
   std::vector<BoxPair> pairs = overlapping_boxes(wall_box, core_box, threads);
   std::sort(pairs.begin(), pairs.end());
@@ -130,7 +143,7 @@ Walls walls_near(const std::vector<Core>& cores, const DiffusionSurfaces& surfac
     const std::uint32_t t = triangles[number];
     const glm::uvec3& v = surfaces.triangle[t];
     const std::array<std::uint32_t, 3> corner{first[v.x], first[v.y], first[v.z]};
-    if (is_line(corner)) continue;
+    if (is_line(corner) || !plane_meets(corners_of(surfaces, t), cores[core].box)) continue;
     if (walls.wall.empty() || walls.wall.back().triangle != t) walls.wall.push_back({t, corner, {}, false});
     walls.wall.back().near.push_back(core);
   }
@@ -196,9 +209,9 @@ void part_wall(Walls& walls, std::uint32_t number, const std::vector<FacetPart>&
     if (part.inside != FacetPart::outside) continue;
     const WallTriangle& whole = walls.wall[number];
     WallTriangle wall{whole.triangle, part.corner, {}, false};
-    const Box<double> box = box_of(walls.corners(wall));
+    const Corners corners = walls.corners(wall);
     for (const std::uint32_t core : whole.near)
-      if (cores[core].box.meets(box)) wall.near.push_back(core);
+      if (cores[core].box.meets(box_of(corners)) && plane_meets(corners, cores[core].box)) wall.near.push_back(core);
     walls.wall.push_back(std::move(wall));
   }
 }
