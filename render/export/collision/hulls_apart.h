@@ -34,7 +34,8 @@ struct TrimmedHulls {
 /// of many, the one that takes the least of both, in shares of their volumes. Parts of one body may overlap.
 std::vector<TrimmedHulls> hulls_apart(std::span<const StandingHulls> bodies, Threads threads);
 
-/// Each two bodies that hulls_apart() would cut, as indices in ascending order.
+/// Each two bodies that hulls_apart() would cut, as indices in ascending order. Pieces that welds join must not collide
+/// there: the hull of a ring is full, as that of a socket, and what lies in it lies in the hull.
 std::vector<std::array<std::size_t, 2>> bodies_that_overlap(std::span<const StandingHulls> bodies, Threads threads);
 
 }  // namespace pomona

@@ -1,6 +1,7 @@
-// What the pieces of a scene collide with where they came to rest, in files for engines and in USD.
+// What the pieces of a scene collide with where they lie, in files for engines and in USD.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -17,5 +18,11 @@ bool is_settled(const Scene& scene);
 /// the solid's do. \param parts of each solid.
 std::vector<std::vector<ConvexHull>> settled_hulls(const Scene& scene, std::span<const std::vector<ConvexHull>> parts,
                                                    Threads threads);
+
+/// Each two instances, as indices in ascending order, whose parts overlap [hulls_apart.h: bodies_that_overlap()].
+/// \param parts of each solid.
+std::vector<std::array<std::size_t, 2>> instances_that_overlap(const Scene& scene,
+                                                               std::span<const std::vector<ConvexHull>> parts,
+                                                               Threads threads);
 
 }  // namespace pomona

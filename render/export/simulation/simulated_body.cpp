@@ -117,7 +117,7 @@ SimulatedScene with_hulls_apart(SimulatedScene made, Threads threads) {
 }
 
 /// The scene with its welds. Each solid of a cut is there once.
-SimulatedScene welded(SimulatedScene made, const Scene& scene, Threads threads) {
+SimulatedScene welded(SimulatedScene made, const Scene& scene) {
   std::map<int, int> body_of;
   for (std::size_t i = 0; i < made.bodies.size(); ++i) body_of[made.bodies[i].kind] = static_cast<int>(i);
   for (const Weld& weld : welds_of(scene.solids)) {
@@ -125,12 +125,6 @@ SimulatedScene welded(SimulatedScene made, const Scene& scene, Threads threads) 
     const auto first = body_of.find(contact.first), second = body_of.find(contact.second);
     if (first == body_of.end() || second == body_of.end()) continue;
     made.welds.push_back({weld_name(contact), first->second, second->second, contact.area, weld.strength});
-    if (contact.cut != around_spared) continue;
-    for (const auto& end : {first, second}) made.bodies[static_cast<std::size_t>(end->second)].is_around_spared = true;
-  }
-  for (const auto& [first, second] : bodies_that_overlap(standing_hulls(made), threads)) {
-    if (made.bodies[first].is_around_spared && made.bodies[second].is_around_spared) continue;
-    made.overlapping.push_back({static_cast<int>(first), static_cast<int>(second)});
   }
   return made;
 }
@@ -163,6 +157,10 @@ const std::vector<HullMesh>& hulls_of(const SimulatedScene& scene, const Simulat
   return body.own_hulls.empty() ? scene.kinds[static_cast<std::size_t>(body.kind)].hulls : body.own_hulls;
 }
 
+std::vector<std::array<std::size_t, 2>> bodies_that_overlap(const SimulatedScene& scene, Threads threads) {
+  return bodies_that_overlap(standing_hulls(scene), threads);
+}
+
 SimulatedScene simulated_scene(const Scene& scene, const ExportOptions& options) {
   SimulatedScene made;
   const std::vector<StyledMesh> meshes = styled_meshes(scene, options);
@@ -178,8 +176,7 @@ SimulatedScene simulated_scene(const Scene& scene, const ExportOptions& options)
                            rotation_with_up(UpAxis::z, rotation)});
   }
   made.ground = lowest_of(made);
-  return options.welded ? welded(std::move(made), scene, options.threads)
-                        : with_hulls_apart(std::move(made), options.threads);
+  return options.welded ? welded(std::move(made), scene) : with_hulls_apart(std::move(made), options.threads);
 }
 
 }  // namespace pomona

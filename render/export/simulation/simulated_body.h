@@ -49,10 +49,6 @@ struct SimulatedBody {
 
   /// Its own in place of the kind's, where its neighbours leave no room for those.
   std::vector<HullMesh> own_hulls = {};
-
-  /// Welded around a spared part: a stone fills its socket, and hulls of the two overlap. Such bodies do not collide
-  /// with each other.
-  bool is_around_spared = false;
 };
 
 /// Two bodies joined.
@@ -68,15 +64,14 @@ struct SimulatedScene {
   std::vector<SimulatedKind> kinds;  ///< one a solid of the scene, without anything for solids without triangles
   std::vector<SimulatedBody> bodies;
   std::vector<SimulatedWeld> welds;  ///< where the options want them
-
-  /// Of a welded fruit: each two bodies, by their indices, that never collide, since hulls of the two overlap. The hull
-  /// of a ring is full, and what lies in the ring lies in it. Two that are around a spared part are not listed.
-  std::vector<std::array<int, 2>> overlapping;
-  double ground = 0;  ///< height of the ground, which nothing begins below
+  double ground = 0;                 ///< height of the ground, which nothing begins below
 };
 
 /// What the body collides with.
 const std::vector<HullMesh>& hulls_of(const SimulatedScene& scene, const SimulatedBody& body);
+
+/// Each two bodies, by their indices, whose hulls overlap. Welded ones must not collide.
+std::vector<std::array<std::size_t, 2>> bodies_that_overlap(const SimulatedScene& scene, Threads threads);
 
 /// Pieces begin outside each other and their dishes, but for those that welds join: where hulls would overlap, a body
 /// has its own, cut off [render/export/collision/hulls_apart.h]. An open piece, whose inside is not known, has the

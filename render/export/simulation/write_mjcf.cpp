@@ -99,10 +99,7 @@ void append_body(std::string& text, const SimulatedScene& made, const SimulatedB
   }
   for (const VisualMesh& visual : kind.visuals)
     text += "      <geom class=\"seen\" mesh=\"" + visual.name + "\" rgba=\"" + rgba(visual) + "\"/>\n";
-  // Their contype meets the conaffinity of all others, and that of none of their like.
-  const std::string_view collides = body.is_around_spared ? " conaffinity=\"0\"" : "";
-  for (const HullMesh& part : hulls_of(made, body))
-    text += "      <geom class=\"felt\" mesh=\"" + part.name + "\"" + std::string(collides) + "/>\n";
+  for (const HullMesh& part : hulls_of(made, body)) text += "      <geom class=\"felt\" mesh=\"" + part.name + "\"/>\n";
   text += "    </body>\n";
 }
 
@@ -113,12 +110,12 @@ std::string camera_text(const View& view) {
          turned(frame.up) + "\" fovy=\"" + exact(view.vertical_field * 180 / pi) + "\"/>\n";
 }
 
-void append_exclusions(std::string& text, const SimulatedScene& made) {
-  if (made.overlapping.empty()) return;
-  const auto body = [&](int number) { return made.bodies[static_cast<std::size_t>(number)].name; };
+void append_exclusions(std::string& text, const SimulatedScene& made, Threads threads) {
+  const std::vector<std::array<std::size_t, 2>> pairs = bodies_that_overlap(made, threads);
+  if (pairs.empty()) return;
   text += "  <contact>\n";
-  for (const auto& [first, second] : made.overlapping)
-    text += "    <exclude body1=\"" + body(first) + "\" body2=\"" + body(second) + "\"/>\n";
+  for (const auto& [first, second] : pairs)
+    text += "    <exclude body1=\"" + made.bodies[first].name + "\" body2=\"" + made.bodies[second].name + "\"/>\n";
   text += "  </contact>\n";
 }
 
@@ -164,7 +161,7 @@ std::string write_mjcf(const Scene& scene, const ExportOptions& options) {
           "\" rgba=\"0.93 0.90 0.83 1\" " + contact + "/>\n";
   for (const SimulatedBody& body : made.bodies) append_body(text, made, body);
   text += "  </worldbody>\n";
-  append_exclusions(text, made);
+  if (options.welded) append_exclusions(text, made, options.threads);
   append_welds(text, made);
   return text + "</mujoco>\n";
 }

@@ -36,9 +36,10 @@ glm::dquat unit(const glm::dquat& q) {
 
 /// What things collide with in convex parts, found once for classes of pieces and for where they lie.
 struct PieceShapes {
-  std::vector<std::vector<ConvexHull>> parts;               ///< per solid, in place of its mesh; none where that serves
-  std::vector<std::vector<ConvexHull>> settled;             ///< per instance, where neighbours leave less room
-  std::vector<std::vector<std::size_t>> instances_of = {};  ///< of each solid, those that have such
+  std::vector<std::vector<ConvexHull>> parts;          ///< per solid, in place of its mesh; none where that serves
+  std::vector<std::vector<ConvexHull>> settled;        ///< per instance, where neighbours leave less room
+  std::vector<std::vector<std::size_t>> instances_of;  ///< of each solid, those that have such
+  std::vector<std::vector<std::size_t>> overlapping;   ///< per instance, those that it must not collide with
 };
 
 /// The solids' class prims and their names; none for a solid without triangles.
@@ -55,18 +56,27 @@ struct Pieces {
 /// Pieces that welds join, and those of an instancer, have the shapes of their solids.
 PieceShapes shapes_of(const Scene& scene, const ExportOptions& options) {
   const bool lie_settled = !options.welded && !options.instances && is_settled(scene);
+  const bool are_joined = options.welded && !options.instances;
   const auto has_parts = [&](const Solid& solid) { return options.hulls > 1 && is_fruit(solid); };
-  PieceShapes shapes{std::vector<std::vector<ConvexHull>>(scene.solids.size()),
-                     std::vector<std::vector<ConvexHull>>(scene.instances.size()),
-                     std::vector<std::vector<std::size_t>>(scene.solids.size())};
-  parallel_for(scene.solids.size(), options.threads, [&](std::size_t i) {
-    if (lie_settled || has_parts(scene.solids[i])) shapes.parts[i] = collision_parts(scene.solids[i], options.hulls);
+  const std::size_t solids = scene.solids.size(), instances = scene.instances.size();
+  PieceShapes shapes{.parts = std::vector<std::vector<ConvexHull>>(solids),
+                     .settled = std::vector<std::vector<ConvexHull>>(instances),
+                     .instances_of = std::vector<std::vector<std::size_t>>(solids),
+                     .overlapping = std::vector<std::vector<std::size_t>>(instances)};
+  parallel_for(solids, options.threads, [&](std::size_t i) {
+    if (lie_settled || are_joined || has_parts(scene.solids[i]))
+      shapes.parts[i] = collision_parts(scene.solids[i], options.hulls);
   });
-  if (!lie_settled) return shapes;
-  shapes.settled = settled_hulls(scene, shapes.parts, options.threads);
-  for (std::size_t i = 0; i < scene.solids.size(); ++i)
+  if (lie_settled) shapes.settled = settled_hulls(scene, shapes.parts, options.threads);
+  if (are_joined) {
+    for (const auto& [first, second] : instances_that_overlap(scene, shapes.parts, options.threads)) {
+      shapes.overlapping[first].push_back(second);
+      shapes.overlapping[second].push_back(first);
+    }
+  }
+  for (std::size_t i = 0; i < solids; ++i)
     if (!has_parts(scene.solids[i])) shapes.parts[i].clear();
-  for (std::size_t i = 0; i < shapes.settled.size(); ++i)
+  for (std::size_t i = 0; i < instances; ++i)
     if (!shapes.settled[i].empty())
       shapes.instances_of[static_cast<std::size_t>(scene.instances[i].solid)].push_back(i);
   return shapes;
@@ -260,23 +270,30 @@ class InstancePrims {
   std::string group_text(const PieceGroup& group, const std::string& within, int indent, PrimNames& names);
   std::string instance_text(const Instance& instance, const std::string& within, int indent, PrimNames& names);
 
+  /// Paths of those that the instance must not collide with and that are text: USD takes a pair from one of both.
+  std::string filtered_text(std::size_t instance) const;
+
   const Scene& scene_;
   const Pieces& pieces_;
   UpAxis up_;
   std::vector<const Instance*> shown_;
   std::vector<PiecePath> paths_;
-  std::map<int, std::pair<const Instance*, std::string>>
-      of_solid_;  ///< the last instance of each, and where its prim is
+  std::map<int, std::size_t> of_solid_;         ///< the last instance of each
+  std::map<std::size_t, std::string> path_of_;  ///< where an instance's prim is, once it is text
 };
 
 std::string InstancePrims::instance_text(const Instance& instance, const std::string& within, int indent,
                                          PrimNames& names) {
   const std::string in = indented(indent), name = names.name_for(instance.name);
-  of_solid_[instance.solid] = {&instance, within + "/" + name};
   std::string text = in + "def Xform \"" + name + "\" (\n";
   text += in + "    displayName = " + quoted(instance.name) + "\n";
   text += in + "    instanceable = true\n";
-  const std::string& own = pieces_.own_name[static_cast<std::size_t>(&instance - scene_.instances.data())];
+  const auto number = static_cast<std::size_t>(&instance - scene_.instances.data());
+  const std::string& own = pieces_.own_name[number];
+  const std::string filtered = filtered_text(number);
+  of_solid_[instance.solid] = number;
+  path_of_[number] = within + "/" + name;
+  if (!filtered.empty()) text += in + "    prepend apiSchemas = [\"PhysicsFilteredPairsAPI\"]\n";
   // What it inherits is stronger than what it refers to; readers that know references alone take the piece's own shape.
   if (!own.empty()) text += in + "    prepend inherits = </Pieces/" + own + ">\n";
   text += in + "    prepend references = </Pieces/" + pieces_.name[static_cast<std::size_t>(instance.solid)] + ">\n" +
@@ -284,7 +301,17 @@ std::string InstancePrims::instance_text(const Instance& instance, const std::st
   text += in + "    double3 xformOp:translate = " + exact_tuple(place_of(instance, scene_, up_)) + "\n";
   text += in + "    quatd xformOp:orient = " + exact_tuple(rotation_of(instance, up_)) + "\n";
   text += in + "    uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]\n";
+  if (!filtered.empty()) text += in + "    rel physics:filteredPairs = [" + filtered + "]\n";
   return text + in + "}\n";
+}
+
+std::string InstancePrims::filtered_text(std::size_t instance) const {
+  std::string text;
+  for (const std::size_t other : pieces_.shapes.overlapping[instance]) {
+    const auto path = path_of_.find(other);
+    if (path != path_of_.end()) text += (text.empty() ? "<" : ", <") + path->second + ">";
+  }
+  return text;
 }
 
 std::string InstancePrims::group_text(const PieceGroup& group, const std::string& within, int indent,
@@ -310,14 +337,14 @@ std::string InstancePrims::welds_text(PrimNames& names) const {
   for (const Weld& weld : welds_of(scene_.solids)) {
     const auto first = of_solid_.find(weld.contact.first), second = of_solid_.find(weld.contact.second);
     if (first == of_solid_.end() || second == of_solid_.end()) continue;
-    const auto& [one, one_path] = first->second;
-    const auto& [other, other_path] = second->second;
-    const glm::dquat back = glm::conjugate(rotation_of(*one, up_));
-    const glm::dvec3 away = back * (place_of(*other, scene_, up_) - place_of(*one, scene_, up_));
+    const Instance &one = scene_.instances[first->second], &other = scene_.instances[second->second];
+    const glm::dquat back = glm::conjugate(rotation_of(one, up_));
+    const glm::dvec3 away = back * (place_of(other, scene_, up_) - place_of(one, scene_, up_));
     text += "    def PhysicsFixedJoint \"" + names.name_for(weld_name(weld.contact)) + "\"\n    {\n";
-    text += "        rel physics:body0 = <" + one_path + ">\n        rel physics:body1 = <" + other_path + ">\n";
+    text += "        rel physics:body0 = <" + path_of_.at(first->second) + ">\n";
+    text += "        rel physics:body1 = <" + path_of_.at(second->second) + ">\n";
     text += "        point3f physics:localPos0 = " + exact_tuple(away) + "\n";
-    text += "        quatf physics:localRot0 = " + exact_tuple(back * rotation_of(*other, up_)) + "\n";
+    text += "        quatf physics:localRot0 = " + exact_tuple(back * rotation_of(other, up_)) + "\n";
     text += "        point3f physics:localPos1 = (0, 0, 0)\n        quatf physics:localRot1 = (1, 0, 0, 0)\n";
     text += "        float physics:breakForce = " + exact(weld.strength) + "\n";
     text += "        custom double squareMetres = " + exact(weld.contact.area) + "\n    }\n";

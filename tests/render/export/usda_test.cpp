@@ -140,6 +140,16 @@ TEST(Usda, ShapesOfSettledPiecesLeaveRoomForEachOther) {
   EXPECT_EQ(occurrences(write_usda(named::settled_balls(), {.instances = true}), "def Mesh \"hull_"), 0u);
 }
 
+/// Joined pieces begin within each other's hulls; once a joint has broken, they must not push each other away.
+TEST(Usda, WeldedBodiesWhoseHullsOverlapDoNotCollide) {
+  const std::string text = write_usda(named::settled_balls(), {.welded = true});
+  EXPECT_EQ(occurrences(text, "prepend apiSchemas = [\"PhysicsFilteredPairsAPI\"]"), 2u);
+  EXPECT_THAT(text, testing::ContainsRegex("rel physics:filteredPairs = \\[</Scene/[a-z_/]*ball_1>\\]"));
+  EXPECT_THAT(text, testing::ContainsRegex("rel physics:filteredPairs = \\[</Scene/[a-z_/]*ball_3>\\]"));
+  EXPECT_EQ(occurrences(write_usda(named::settled_balls()), "filteredPairs"), 0u) << "there shapes are cut apart";
+  EXPECT_EQ(occurrences(write_usda(named::settled_balls(), {.instances = true, .welded = true}), "filteredPairs"), 0u);
+}
+
 TEST(Usda, ZMayPointUp) {
   Scene scene = named::mixed();
   scene.instances.resize(1);
