@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -34,20 +35,19 @@ struct Core {
   Corners corners(std::size_t f) const { return {point[facet[f][0]], point[facet[f][1]], point[facet[f][2]]}; }
 };
 
-/// A triangle of the inner surfaces, or what cores have left of it.
+/// A triangle of the inner surfaces, or a part of one.
 struct WallTriangle {
-  std::uint32_t triangle = 0;           ///< of the surfaces
-  std::array<std::uint32_t, 3> corner;  ///< points
-  std::vector<std::uint32_t> near;      ///< cores whose boxes meet its own
-  bool is_gone = false;                 ///< it lies in a core, or its parts follow
+  std::uint32_t source = 0;  ///< triangle of the surfaces
+  glm::uvec3 vertex{0};
+  std::vector<std::uint32_t> near = {};  ///< cores whose boxes meet its own
+  bool is_gone = false;                  ///< it lies in a core, or its parts replace it
+  std::size_t parts = 0, end = 0;        ///< walls: those parts
 };
 
-struct Walls {
-  std::vector<WallTriangle> wall;  ///< near cores
-  std::vector<glm::dvec3>
-      place;  ///< points: the surfaces' vertices, of which walls take the first at a place, and more
-
-  Corners corners(const WallTriangle& w) const { return {place[w.corner[0]], place[w.corner[1]], place[w.corner[2]]}; }
+/// The surfaces, with vertices of parts behind theirs, and the walls near cores: triangles in their order, then parts.
+struct WalledSurfaces {
+  DiffusionSurfaces surfaces;
+  std::vector<WallTriangle> wall;
 };
 
 Box<double> box_of(const Corners& c) { return box_around(c[0], c[1], c[2]); }
@@ -122,31 +122,42 @@ std::vector<std::uint32_t> inner_triangles(const DiffusionSurfaces& surfaces, st
   return inner;
 }
 
-Corners corners_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
-  const glm::uvec3& v = surfaces.triangle[triangle];
-  return {surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]};
+Corners corners_of(const DiffusionSurfaces& surfaces, const glm::uvec3& vertex) {
+  return {surfaces.position[vertex.x], surfaces.position[vertex.y], surfaces.position[vertex.z]};
 }
 
 /// Those of the triangles that are near a core.
-Walls walls_near(const std::vector<Core>& cores, const DiffusionSurfaces& surfaces,
-                 const std::vector<std::uint32_t>& triangles, Threads threads) {
+std::vector<WallTriangle> walls_near(const std::vector<Core>& cores, const DiffusionSurfaces& surfaces,
+                                     const std::vector<std::uint32_t>& triangles, Threads threads) {
   std::vector<Box<double>> wall_box, core_box;
   wall_box.reserve(triangles.size()), core_box.reserve(cores.size());
-  for (const std::uint32_t t : triangles) wall_box.push_back(box_of(corners_of(surfaces, t)));
+  for (const std::uint32_t t : triangles) wall_box.push_back(box_of(corners_of(surfaces, surfaces.triangle[t])));
   for (const Core& core : cores) core_box.push_back(core.box);
   std::vector<BoxPair> pairs = overlapping_boxes(wall_box, core_box, threads);
   std::sort(pairs.begin(), pairs.end());
-  Walls walls;
-  walls.place.assign(surfaces.position.begin(), surfaces.position.end());
-  const std::vector<std::uint32_t> first = weld(surfaces.position);
+  std::vector<WallTriangle> walls;
   for (const auto& [number, core] : pairs) {
     const std::uint32_t t = triangles[number];
-    const glm::uvec3& v = surfaces.triangle[t];
-    const std::array<std::uint32_t, 3> corner{first[v.x], first[v.y], first[v.z]};
-    if (is_line(corner) || !plane_meets(corners_of(surfaces, t), cores[core].box)) continue;
-    if (walls.wall.empty() || walls.wall.back().triangle != t) walls.wall.push_back({t, corner, {}, false});
-    walls.wall.back().near.push_back(core);
+    if (!plane_meets(corners_of(surfaces, surfaces.triangle[t]), cores[core].box)) continue;
+    if (walls.empty() || walls.back().source != t) walls.push_back({.source = t, .vertex = surfaces.triangle[t]});
+    walls.back().near.push_back(core);
   }
+  return walls;
+}
+
+/// The walls as facets of body 0, between points: the vertices, of which facets take the first at a place.
+struct WallFacets {
+  std::vector<BodyFacet> facet;
+  std::vector<glm::dvec3> place;
+};
+
+WallFacets facets_of(const WalledSurfaces& all) {
+  WallFacets walls;
+  walls.place.assign(all.surfaces.position.begin(), all.surfaces.position.end());
+  const std::vector<std::uint32_t> first = weld(all.surfaces.position);
+  walls.facet.reserve(all.wall.size());
+  for (const WallTriangle& wall : all.wall)
+    walls.facet.push_back({{first[wall.vertex.x], first[wall.vertex.y], first[wall.vertex.z]}, 0});
   return walls;
 }
 
@@ -154,11 +165,11 @@ Walls walls_near(const std::vector<Core>& cores, const DiffusionSurfaces& surfac
 using NearCore = BoxPair;
 
 /// What is left of the walls and the cores of one set that are near them: by core, then by wall.
-std::vector<NearCore> near_cores(const Walls& walls, const std::vector<Core>& cores, std::uint32_t set) {
+std::vector<NearCore> near_cores(const WalledSurfaces& all, const std::vector<Core>& cores, std::uint32_t set) {
   std::vector<NearCore> near;
-  for (std::uint32_t w = 0; w < walls.wall.size(); ++w) {
-    if (walls.wall[w].is_gone) continue;
-    for (const std::uint32_t core : walls.wall[w].near)
+  for (std::uint32_t w = 0; w < all.wall.size(); ++w) {
+    if (all.wall[w].is_gone) continue;
+    for (const std::uint32_t core : all.wall[w].near)
       if (cores[core].set == set) near.emplace_back(w, core);
   }
   std::stable_sort(near.begin(), near.end(), [](const NearCore& a, const NearCore& b) { return a.second < b.second; });
@@ -166,11 +177,9 @@ std::vector<NearCore> near_cores(const Walls& walls, const std::vector<Core>& co
 }
 
 /// The walls that cores cross, and where. Adds points to the walls'.
-CrossedSet crossed_walls(Walls& walls, const std::vector<Core>& cores, const std::vector<NearCore>& near,
+CrossedSet crossed_walls(WallFacets& walls, const std::vector<Core>& cores, const std::vector<NearCore>& near,
                          Threads threads) {
-  std::vector<BodyFacet> wall_facet, core_facet;
-  wall_facet.reserve(walls.wall.size());
-  for (const WallTriangle& wall : walls.wall) wall_facet.push_back({wall.corner, 0});
+  std::vector<BodyFacet> core_facet;
   std::vector<BoxPair> pairs;
   std::vector<Box<double>> box;
   for (std::size_t i = 0, end; i < near.size(); i = end) {
@@ -185,13 +194,15 @@ CrossedSet crossed_walls(Walls& walls, const std::vector<Core>& cores, const std
       box.push_back(box_of(core.corners(f)));
     }
     for (end = i; end < near.size() && near[end].second == near[i].second; ++end) {
-      const Box<double> wall = box_of(walls.corners(walls.wall[near[end].first]));
+      const auto& [a, b, c] = walls.facet[near[end].first].corner;
+      if (is_line({a, b, c})) continue;
+      const Box<double> wall = box_of({walls.place[a], walls.place[b], walls.place[c]});
       for (std::uint32_t f = 0; f < box.size(); ++f) {
         if (wall.meets(box[f])) pairs.emplace_back(near[end].first, begin + f);
       }
     }
   }
-  return body_crossings(wall_facet, core_facet, pairs, walls.place, threads).first;
+  return body_crossings(walls.facet, core_facet, pairs, walls.place, threads).first;
 }
 
 bool lies_in(const Core& core, const glm::dvec3& point) {
@@ -202,36 +213,50 @@ bool lies_in(const Core& core, const glm::dvec3& point) {
 }
 
 /// Puts the parts of a wall that lie outside cores behind the walls, each with the cores that are near it.
-void part_wall(Walls& walls, std::uint32_t number, const std::vector<FacetPart>& parts,
+void part_wall(WalledSurfaces& all, std::uint32_t number, const std::vector<FacetPart>& parts, const WallFacets& facets,
                const std::vector<Core>& cores) {
-  walls.wall[number].is_gone = true;
+  const WallTriangle whole = all.wall[number];
+  std::map<std::uint32_t, std::uint32_t> vertex_of;  // by point
+  for (int k = 0; k < 3; ++k) vertex_of[facets.facet[number].corner[static_cast<std::size_t>(k)]] = whole.vertex[k];
+  const auto vertex_at = [&](std::uint32_t point) {
+    const auto [known, is_new] = vertex_of.try_emplace(point, 0);
+    if (is_new) known->second = add_vertex_within(all.surfaces, all.surfaces, whole.vertex, facets.place[point]);
+    return known->second;
+  };
+  const std::size_t begin = all.wall.size();
   for (const FacetPart& part : parts) {
     if (part.inside != FacetPart::outside) continue;
-    const WallTriangle& whole = walls.wall[number];
-    WallTriangle wall{whole.triangle, part.corner, {}, false};
-    const Corners corners = walls.corners(wall);
+    WallTriangle wall{.source = whole.source};
+    for (int k = 0; k < 3; ++k) wall.vertex[k] = vertex_at(part.corner[static_cast<std::size_t>(k)]);
+    const Corners corners = corners_of(all.surfaces, wall.vertex);
     for (const std::uint32_t core : whole.near)
       if (cores[core].box.meets(box_of(corners)) && plane_meets(corners, cores[core].box)) wall.near.push_back(core);
-    walls.wall.push_back(std::move(wall));
+    all.wall.push_back(std::move(wall));
   }
+  all.wall[number].is_gone = true;
+  all.wall[number].parts = begin, all.wall[number].end = all.wall.size();
 }
 
-/// Takes what lies in cores of one set out of the walls. A wall whose parts cannot be told, because a grain crosses
-/// itself there, is left whole.
-void part_walls(Walls& walls, const std::vector<Core>& cores, std::uint32_t set, Threads threads) {
-  const std::vector<NearCore> near = near_cores(walls, cores, set);
-  const CrossedSet crossed = crossed_walls(walls, cores, near, threads);
-  std::vector<std::uint8_t> is_crossed(walls.wall.size(), 0);
+/// The same without what lies in cores of one set. A wall whose parts cannot be told, because a grain crosses itself
+/// there, is left whole.
+WalledSurfaces parted(WalledSurfaces all, const std::vector<Core>& cores, std::uint32_t set, Threads threads) {
+  const std::vector<NearCore> near = near_cores(all, cores, set);
+  if (near.empty()) return all;
+  WallFacets facets = facets_of(all);
+  const CrossedSet crossed = crossed_walls(facets, cores, near, threads);
+  std::vector<std::uint8_t> is_crossed(all.wall.size(), 0);
   for (const std::uint32_t wall : crossed.crossed) is_crossed[wall] = 1;
   for (const auto& [number, core] : near) {
-    WallTriangle& wall = walls.wall[number];
+    const std::array<std::uint32_t, 3>& corner = facets.facet[number].corner;
+    if (is_crossed[number] != 0 || all.wall[number].is_gone || is_line(corner)) continue;
     // The corners of a wall that nothing crosses lie on one side.
-    if (is_crossed[number] == 0 && !wall.is_gone) wall.is_gone = lies_in(cores[core], walls.place[wall.corner[0]]);
+    all.wall[number].is_gone = lies_in(cores[core], facets.place[corner[0]]);
   }
   for (std::size_t i = 0; i < crossed.crossed.size(); ++i) {
-    const std::optional<std::vector<FacetPart>> parts = parts_of(crossed.facet[i], walls.place);
-    if (parts) part_wall(walls, crossed.crossed[i], *parts, cores);
+    const std::optional<std::vector<FacetPart>> parts = parts_of(crossed.facet[i], facets.place);
+    if (parts) part_wall(all, crossed.crossed[i], *parts, facets, cores);
   }
+  return all;
 }
 
 /// Puts what is left of walls in their place. Vertices are numbered in the order of their use, as reading a file of the
@@ -240,62 +265,38 @@ class WallReplacer {
   static constexpr std::uint32_t unset = 0xffffffffu;
 
  public:
-  WallReplacer(const DiffusionSurfaces& surfaces, const Walls& walls)
-      : from_(surfaces), walls_(walls), copy_of_(surfaces.vertex_count(), unset) {
-    to_.surface_names = surfaces.surface_names;
-    to_.part_names = surfaces.part_names;
-    to_.notes = surfaces.notes;
+  explicit WallReplacer(const WalledSurfaces& all)
+      : from_(all.surfaces), wall_(all.wall), copy_of_(all.surfaces.vertex_count(), unset) {
+    to_.surface_names = from_.surface_names;
+    to_.part_names = from_.part_names;
+    to_.notes = from_.notes;
   }
 
   DiffusionSurfaces run() {
-    std::vector<const WallTriangle*> order;
-    for (const WallTriangle& wall : walls_.wall) order.push_back(&wall);
-    std::stable_sort(order.begin(), order.end(),
-                     [](const WallTriangle* a, const WallTriangle* b) { return a->triangle < b->triangle; });
-    auto next = order.begin();
+    auto next = wall_.begin();
     for (std::uint32_t t = 0; t < from_.triangle_count(); ++t) {
-      vertex_of_.clear();
-      const auto is_of_it = [&] { return next != order.end() && (*next)->triangle == t; };
-      if (!is_of_it()) add_whole(t);
-      for (; is_of_it(); ++next)
-        if (!(*next)->is_gone) add_wall(**next);
+      if (next != wall_.end() && next->source == t)
+        add_left(*next++);
+      else
+        add(t, from_.triangle[t]);
     }
     return std::move(to_);
   }
 
  private:
-  void add_whole(std::uint32_t source) {
-    glm::uvec3 corners;
-    for (int k = 0; k < 3; ++k) corners[k] = copy_of(from_.triangle[source][k]);
-    add(source, corners);
+  void add_left(const WallTriangle& wall) {
+    if (!wall.is_gone) add(wall.source, wall.vertex);
+    for (std::size_t part = wall.parts; part < wall.end; ++part) add_left(wall_[part]);
   }
 
-  void add_wall(const WallTriangle& wall) {
+  void add(std::uint32_t source, const glm::uvec3& vertex) {
     glm::uvec3 corners;
-    for (int k = 0; k < 3; ++k) corners[k] = vertex_at(wall.triangle, wall.corner[static_cast<std::size_t>(k)]);
-    add(wall.triangle, corners);
-  }
-
-  void add(std::uint32_t source, const glm::uvec3& corners) {
+    for (int k = 0; k < 3; ++k) corners[k] = copy_of(vertex[k]);
     to_.triangle.push_back(corners);
     to_.surface.push_back(from_.surface[source]);
     to_.front_part.push_back(from_.front_part[source]);
     to_.back_part.push_back(from_.back_part[source]);
     if (!from_.instance.empty()) to_.instance.push_back(from_.instance[source]);
-  }
-
-  std::uint32_t vertex_at(std::uint32_t source, std::uint32_t point) {
-    const glm::uvec3& whole = from_.triangle[source];
-    if (point < from_.vertex_count()) return copy_of(corner_at(whole, point));
-    for (const auto& [known, vertex] : vertex_of_)
-      if (known == point) return vertex;
-    vertex_of_.emplace_back(point, add_vertex_within(to_, from_, whole, walls_.place[point]));
-    return vertex_of_.back().second;
-  }
-
-  std::uint32_t corner_at(const glm::uvec3& whole, std::uint32_t point) const {
-    const glm::vec3 place(walls_.place[point]);
-    return from_.position[whole.x] == place ? whole.x : from_.position[whole.y] == place ? whole.y : whole.z;
   }
 
   std::uint32_t copy_of(std::uint32_t vertex) {
@@ -304,10 +305,9 @@ class WallReplacer {
   }
 
   const DiffusionSurfaces& from_;
-  const Walls& walls_;
+  const std::vector<WallTriangle>& wall_;
   std::vector<std::uint32_t> copy_of_;  // per vertex
   DiffusionSurfaces to_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertex_of_;  // of one triangle: new points and their vertices
 };
 
 }  // namespace
@@ -317,12 +317,12 @@ DiffusionSurfaces without_walls_in_grains(DiffusionSurfaces walls, const Diffusi
   const std::vector<std::uint32_t> inner = inner_triangles(walls, spared);
   if (inner.empty() || grains.triangle.empty()) return walls;
   const std::vector<Core> cores = cores_of(grains);
-  Walls left = walls_near(cores, walls, inner, threads);
+  std::vector<WallTriangle> near = walls_near(cores, walls, inner, threads);
+  WalledSurfaces all{std::move(walls), std::move(near)};
   const auto last = std::max_element(cores.begin(), cores.end(), [](auto& a, auto& b) { return a.set < b.set; });
-  for (std::uint32_t set = 0; set <= last->set; ++set) part_walls(left, cores, set, threads);
-  if (std::none_of(left.wall.begin(), left.wall.end(), [](const WallTriangle& wall) { return wall.is_gone; }))
-    return walls;
-  return WallReplacer(walls, left).run();
+  for (std::uint32_t set = 0; set <= last->set; ++set) all = parted(std::move(all), cores, set, threads);
+  const bool changed = std::any_of(all.wall.begin(), all.wall.end(), [](const WallTriangle& w) { return w.is_gone; });
+  return changed ? WallReplacer(all).run() : std::move(all.surfaces);
 }
 
 }  // namespace pomona
