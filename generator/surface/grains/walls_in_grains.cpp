@@ -145,21 +145,13 @@ std::vector<WallTriangle> walls_near(const std::vector<Core>& cores, const Diffu
   return walls;
 }
 
-/// The walls as facets of body 0, between points: the vertices, of which facets take the first at a place.
+/// The walls near some cores as facets of body 0, between points: their vertices, of which facets take the first at a
+/// place.
 struct WallFacets {
-  std::vector<BodyFacet> facet;
+  std::vector<std::uint32_t> wall;
+  std::vector<BodyFacet> facet;  ///< of each
   std::vector<glm::dvec3> place;
 };
-
-WallFacets facets_of(const WalledSurfaces& all) {
-  WallFacets walls;
-  walls.place.assign(all.surfaces.position.begin(), all.surfaces.position.end());
-  const std::vector<std::uint32_t> first = weld(all.surfaces.position);
-  walls.facet.reserve(all.wall.size());
-  for (const WallTriangle& wall : all.wall)
-    walls.facet.push_back({{first[wall.vertex.x], first[wall.vertex.y], first[wall.vertex.z]}, 0});
-  return walls;
-}
 
 /// A wall and a core whose boxes meet.
 using NearCore = BoxPair;
@@ -174,6 +166,34 @@ std::vector<NearCore> near_cores(const WalledSurfaces& all, const std::vector<Co
   }
   std::stable_sort(near.begin(), near.end(), [](const NearCore& a, const NearCore& b) { return a.second < b.second; });
   return near;
+}
+
+/// Of the near walls, in their order and that of their vertices; in `near` walls are now numbered as here.
+WallFacets facets_of(const WalledSurfaces& all, std::vector<NearCore>& near) {
+  constexpr std::uint32_t unset = 0xffffffffu;
+  std::vector<std::uint32_t> number(all.wall.size(), unset), point_of(all.surfaces.vertex_count(), unset);
+  for (const auto& [wall, core] : near) number[wall] = 0;
+  WallFacets walls;
+  for (std::uint32_t w = 0; w < all.wall.size(); ++w) {
+    if (number[w] == unset) continue;
+    number[w] = static_cast<std::uint32_t>(walls.wall.size());
+    walls.wall.push_back(w);
+    for (int k = 0; k < 3; ++k) point_of[all.wall[w].vertex[k]] = 0;
+  }
+  for (auto& [wall, core] : near) wall = number[wall];
+  std::vector<glm::vec3> position;
+  for (std::uint32_t v = 0; v < point_of.size(); ++v) {
+    if (point_of[v] == unset) continue;
+    point_of[v] = static_cast<std::uint32_t>(position.size());
+    position.push_back(all.surfaces.position[v]);
+  }
+  walls.place.assign(position.begin(), position.end());
+  const std::vector<std::uint32_t> first = weld(position);
+  for (const std::uint32_t w : walls.wall) {
+    const glm::uvec3& v = all.wall[w].vertex;
+    walls.facet.push_back({{first[point_of[v.x]], first[point_of[v.y]], first[point_of[v.z]]}, 0});
+  }
+  return walls;
 }
 
 /// The walls that cores cross, and where. Adds points to the walls'.
@@ -213,11 +233,12 @@ bool lies_in(const Core& core, const glm::dvec3& point) {
 }
 
 /// Puts the parts of a wall that lie outside cores behind the walls, each with the cores that are near it.
-void part_wall(WalledSurfaces& all, std::uint32_t number, const std::vector<FacetPart>& parts, const WallFacets& facets,
+void part_wall(WalledSurfaces& all, std::uint32_t facet, const std::vector<FacetPart>& parts, const WallFacets& facets,
                const std::vector<Core>& cores) {
+  const std::uint32_t number = facets.wall[facet];
   const WallTriangle whole = all.wall[number];
   std::map<std::uint32_t, std::uint32_t> vertex_of;  // by point
-  for (int k = 0; k < 3; ++k) vertex_of[facets.facet[number].corner[static_cast<std::size_t>(k)]] = whole.vertex[k];
+  for (int k = 0; k < 3; ++k) vertex_of[facets.facet[facet].corner[static_cast<std::size_t>(k)]] = whole.vertex[k];
   const auto vertex_at = [&](std::uint32_t point) {
     const auto [known, is_new] = vertex_of.try_emplace(point, 0);
     if (is_new) known->second = add_vertex_within(all.surfaces, all.surfaces, whole.vertex, facets.place[point]);
@@ -240,17 +261,17 @@ void part_wall(WalledSurfaces& all, std::uint32_t number, const std::vector<Face
 /// The same without what lies in cores of one set. A wall whose parts cannot be told, because a grain crosses itself
 /// there, is left whole.
 WalledSurfaces parted(WalledSurfaces all, const std::vector<Core>& cores, std::uint32_t set, Threads threads) {
-  const std::vector<NearCore> near = near_cores(all, cores, set);
+  std::vector<NearCore> near = near_cores(all, cores, set);
   if (near.empty()) return all;
-  WallFacets facets = facets_of(all);
+  WallFacets facets = facets_of(all, near);
   const CrossedSet crossed = crossed_walls(facets, cores, near, threads);
-  std::vector<std::uint8_t> is_crossed(all.wall.size(), 0);
-  for (const std::uint32_t wall : crossed.crossed) is_crossed[wall] = 1;
-  for (const auto& [number, core] : near) {
-    const std::array<std::uint32_t, 3>& corner = facets.facet[number].corner;
-    if (is_crossed[number] != 0 || all.wall[number].is_gone || is_line(corner)) continue;
+  std::vector<std::uint8_t> is_crossed(facets.wall.size(), 0);
+  for (const std::uint32_t facet : crossed.crossed) is_crossed[facet] = 1;
+  for (const auto& [facet, core] : near) {
+    const std::array<std::uint32_t, 3>& corner = facets.facet[facet].corner;
+    bool& is_gone = all.wall[facets.wall[facet]].is_gone;
     // The corners of a wall that nothing crosses lie on one side.
-    all.wall[number].is_gone = lies_in(cores[core], facets.place[corner[0]]);
+    if (is_crossed[facet] == 0 && !is_gone && !is_line(corner)) is_gone = lies_in(cores[core], facets.place[corner[0]]);
   }
   for (std::size_t i = 0; i < crossed.crossed.size(); ++i) {
     const std::optional<std::vector<FacetPart>> parts = parts_of(crossed.facet[i], facets.place);
