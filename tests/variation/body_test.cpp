@@ -280,7 +280,9 @@ TEST(Body, beyond_its_ends_a_bent_fruit_goes_on_straight) {
   const BodyMap map(fruit);
   for (const glm::dvec3& aside : {glm::dvec3(0), glm::dvec3(0.015, 0, 0), glm::dvec3(-0.004, 0, 0.01)}) {
     for (const auto& [end, away] : {std::pair{0.2, 1.0}, {0.0, -1.0}}) {
-      const auto at = [&](double distance) { return map(aside + glm::dvec3(0, end + away * distance, 0)); };
+      const auto at = [&, end = end, away = away](double distance) {
+        return map(aside + glm::dvec3(0, end + away * distance, 0));
+      };
       const glm::dvec3 way = at(0.01) - at(0);
       EXPECT_NEAR(glm::length(way), 0.01, 1e-12);
       for (const double distance : {0.001, 0.03, 0.1})
