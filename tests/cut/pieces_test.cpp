@@ -115,7 +115,6 @@ std::vector<ClosedSurface> knives_at_box() {
 TEST(Pieces, EncloseWhatIsInsideAKnifeAndWhatIsOutside) {
   for (const ClosedSurface& knife : knives_at_box()) {
     const Cut result = cut(box_fruit(), std::vector{solid_knife(knife)});
-    Moments outside, inside;
     ASSERT_EQ(result.pieces.size(), 2u);
     const Moments wanted = moments_by_places(low, high, [&](const glm::dvec3& p) { return is_behind_all(knife, p); });
     const Moments other = moments_by_places(low, high, [&](const glm::dvec3& p) { return !is_behind_all(knife, p); });

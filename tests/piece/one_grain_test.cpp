@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 
+#include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include "generator/mesh/connected_vertices.h"

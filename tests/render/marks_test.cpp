@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include "render/marks/blur.h"

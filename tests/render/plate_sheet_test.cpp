@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include <gtest/gtest.h>
+
 #include "render/picture/paper.h"
 #include "render/style/style_file.h"
 
