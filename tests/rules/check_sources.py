@@ -11,6 +11,7 @@ import pathlib
 import posixpath
 import re
 import sys
+from functools import partial
 
 # The road. A folder may include itself and what stands before it. A folder within a folder is a room of its own: it
 # stands before the other's own files where these are the door to it, behind them where they are what it works on.
@@ -171,6 +172,13 @@ def wrong_with_package(name, target):
             yield f"{package} may be included only by {allowed}"
 
 
+def check_test_includes(name, text):
+    """Sources compiled together lend each other what one of them includes."""
+    test = re.search(r"^(?:TEST|TEST_F|TEST_P)\(", text, re.M)
+    if name.startswith("tests/") and test and not re.search(r"#include <g(?:test/gtest|mock/gmock)\.h>", text):
+        yield text.count("\n", 0, test.start()) + 1, "a source with tests includes <gtest/gtest.h> or <gmock/gmock.h>"
+
+
 def check_words(name, text):
     if not name.startswith(REPRODUCIBLE) or name.startswith("generator/base/reproducible"):
         return
@@ -306,7 +314,8 @@ def check(root):
     for path in sorted(p for p in files if p.suffix in (".h", ".cpp", ".hpp", ".cc", ".cxx", ".in")):
         name = path.relative_to(root).as_posix()
         text = path.read_text(encoding="utf-8")
-        found = [*check_file(name, text), *check_includes(root, name, text), *check_words(name, text), *check_json(name, text)]
+        checks = check_file, partial(check_includes, root), check_test_includes, check_words, check_json
+        found = [wrong_here for check_one in checks for wrong_here in check_one(name, text)]
         wrong += [f"{name}:{number}: {why}" for number, why in sorted(found)]
         if name.startswith(("generator/", "render/", "cli/", "python/")):
             product[name] = text

@@ -78,6 +78,10 @@ class Rules(Tree):
         files["generator/cut/cut.cpp"] = "#include <generator/cut/cut.h>\n"
         self.assert_wrong(files, "generator/cut/cut.cpp:1", "is included with")
 
+    def test_tests_include_what_they_are_written_with(self):
+        self.assert_wrong({"tests/cut/cut_test.cpp": "\nTEST(Cut, Cuts) {}\n"}, "tests/cut/cut_test.cpp:2", "gtest.h")
+        self.assert_fine({"tests/cut/cut_test.cpp": "#include <gmock/gmock.h>\n\nTEST(Cut, Cuts) {}\n"})
+
     def test_heavy_packages_stay_where_they_belong(self):
         include = "#include <CGAL/Constrained_Delaunay_triangulation_2.h>\n"
         self.assert_fine({"generator/cut/plane/triangulate.cpp": include})
