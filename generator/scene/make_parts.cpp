@@ -34,11 +34,12 @@ Error at_entry(const PiecesDescription& pieces, const Error& error) {
 /// \throws Error (bad_data) at the entry whose knives do not fit its fruit, or whose fruit cannot be grown.
 void check_cuts(const SceneDescription& scene, const std::vector<Template>& templates) {
   constexpr double coarse = 0.25;
+  constexpr CutOptions no_samples{.coarsest = 1, .finest = 1, .grading = 1, .contrast = 1};
   for (std::size_t entry = 0; entry < templates.size(); ++entry) {
     const PiecesDescription& pieces = scene.pieces[entry];
     const GrownFruit grown = grow(templates[entry], {}, {.as_drawn = true, .detail = coarse});
     try {
-      cut(grown.sheets, pieces.knives);
+      cut(grown.sheets, pieces.knives, no_samples);
     } catch (const Error& error) {
       throw at_entry(pieces, error);
     }
