@@ -145,16 +145,17 @@ std::vector<WallTriangle> walls_near(const std::vector<Core>& cores, const Diffu
   return walls;
 }
 
-/// The walls near some cores as facets of body 0, between points: their vertices, of which facets take the first at a
-/// place.
+/// A wall and a core whose boxes meet.
+using NearCore = BoxPair;
+
+/// The walls near the cores of a set as facets of body 0, between points: their vertices, of which facets take the
+/// first at a place.
 struct WallFacets {
   std::vector<std::uint32_t> wall;
   std::vector<BodyFacet> facet;  ///< of each
   std::vector<glm::dvec3> place;
+  std::vector<NearCore> near;  ///< facets, and the cores near them
 };
-
-/// A wall and a core whose boxes meet.
-using NearCore = BoxPair;
 
 /// What is left of the walls and the cores of one set that are near them: by core, then by wall.
 std::vector<NearCore> near_cores(const WalledSurfaces& all, const std::vector<Core>& cores, std::uint32_t set) {
@@ -168,19 +169,19 @@ std::vector<NearCore> near_cores(const WalledSurfaces& all, const std::vector<Co
   return near;
 }
 
-/// Of the near walls, in their order and that of their vertices; in `near` walls are now numbered as here.
-WallFacets facets_of(const WalledSurfaces& all, std::vector<NearCore>& near) {
+/// In the order of the walls and of their vertices.
+WallFacets facets_of(const WalledSurfaces& all, std::vector<NearCore> near) {
   constexpr std::uint32_t unset = 0xffffffffu;
   std::vector<std::uint32_t> number(all.wall.size(), unset), point_of(all.surfaces.vertex_count(), unset);
-  for (const auto& [wall, core] : near) number[wall] = 0;
-  WallFacets walls;
+  WallFacets walls{.wall = {}, .facet = {}, .place = {}, .near = std::move(near)};
+  for (const auto& [wall, core] : walls.near) number[wall] = 0;
   for (std::uint32_t w = 0; w < all.wall.size(); ++w) {
     if (number[w] == unset) continue;
     number[w] = static_cast<std::uint32_t>(walls.wall.size());
     walls.wall.push_back(w);
     for (int k = 0; k < 3; ++k) point_of[all.wall[w].vertex[k]] = 0;
   }
-  for (auto& [wall, core] : near) wall = number[wall];
+  for (auto& [wall, core] : walls.near) wall = number[wall];
   std::vector<glm::vec3> position;
   for (std::uint32_t v = 0; v < point_of.size(); ++v) {
     if (point_of[v] == unset) continue;
@@ -197,8 +198,8 @@ WallFacets facets_of(const WalledSurfaces& all, std::vector<NearCore>& near) {
 }
 
 /// The walls that cores cross, and where. Adds points to the walls'.
-CrossedSet crossed_walls(WallFacets& walls, const std::vector<Core>& cores, const std::vector<NearCore>& near,
-                         Threads threads) {
+CrossedSet crossed_walls(WallFacets& walls, const std::vector<Core>& cores, Threads threads) {
+  const std::vector<NearCore>& near = walls.near;
   std::vector<BodyFacet> core_facet;
   std::vector<BoxPair> pairs;
   std::vector<Box<double>> box;
@@ -261,13 +262,11 @@ void part_wall(WalledSurfaces& all, std::uint32_t facet, const std::vector<Facet
 /// The same without what lies in cores of one set. A wall whose parts cannot be told, because a grain crosses itself
 /// there, is left whole.
 WalledSurfaces parted(WalledSurfaces all, const std::vector<Core>& cores, std::uint32_t set, Threads threads) {
-  std::vector<NearCore> near = near_cores(all, cores, set);
-  if (near.empty()) return all;
-  WallFacets facets = facets_of(all, near);
-  const CrossedSet crossed = crossed_walls(facets, cores, near, threads);
+  WallFacets facets = facets_of(all, near_cores(all, cores, set));
+  const CrossedSet crossed = crossed_walls(facets, cores, threads);
   std::vector<std::uint8_t> is_crossed(facets.wall.size(), 0);
   for (const std::uint32_t facet : crossed.crossed) is_crossed[facet] = 1;
-  for (const auto& [facet, core] : near) {
+  for (const auto& [facet, core] : facets.near) {
     const std::array<std::uint32_t, 3>& corner = facets.facet[facet].corner;
     bool& is_gone = all.wall[facets.wall[facet]].is_gone;
     // The corners of a wall that nothing crosses lie on one side.
