@@ -285,12 +285,17 @@ try {
   };
   // What three.js draws went through its own materials, and through eight bits once more: a twentieth is allowed for
   // that.
-  // It also rounds the centres of pixels elsewhere: on the edge of a seed one may show the other side, which is then
-  // the colour of a pixel beside it. Four may.
+  // It also rounds the centres of pixels elsewhere: on the edge of a seed one may show the other side, whose colour is
+  // then between those of the pixels around. Four may.
   const trueColor = (i) => [0, 1, 2].map((k) => srgb(square.truth[4 * i + k]));
   const isAway = (color, i) => Math.max(...trueColor(i).map((c, k) => Math.abs(color[k] - c))) > 20;
-  const isAcrossAnEdge = (color, i) =>
-    isAway(color, i) && [-1, 0, 1].some((dy) => [-1, 0, 1].some((dx) => !isAway(color, i + dy * size + dx)));
+  const isAcrossAnEdge = (color, i) => {
+    const around = [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => trueColor(i + dy * size + dx)));
+    return isAway(color, i) && color.every((c, k) => {
+      const values = around.map((beside) => beside[k]);
+      return c > Math.min(...values) - 3 && c < Math.max(...values) + 3;
+    });
+  };
   const held = (language, pixels, allowed = 1) => {
     let across = 0;
     const errors = errorsOf(square, (i) => {
