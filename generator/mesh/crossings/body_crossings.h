@@ -39,7 +39,7 @@ struct BodyCrossings {
   CrossedSet first, second;
 };
 
-/// The crossings by the tie rule (carve/tie_rule.h), for which the second set is the knife: so nothing only touches.
+/// The crossings by the tie rule (tie_rule.h), for which the second set is the knife: so nothing only touches.
 /// Adds the new points to `place`. \param near all pairs of a first and a second facet whose boxes meet.
 BodyCrossings body_crossings(std::span<const BodyFacet> first, std::span<const BodyFacet> second,
                              std::span<const BoxPair> near, std::vector<glm::dvec3>& place, Threads threads);

@@ -154,7 +154,7 @@ struct WallFacets {
   std::vector<std::uint32_t> wall;
   std::vector<BodyFacet> facet;  ///< of each
   std::vector<glm::dvec3> place;
-  std::vector<NearCore> near;  ///< facets, and the cores near them
+  std::vector<NearCore> near;  ///< facets that are no lines, and the cores near them
 };
 
 /// What is left of the walls and the cores of one set that are near them: by core, then by wall.
@@ -194,6 +194,7 @@ WallFacets facets_of(const WalledSurfaces& all, std::vector<NearCore> near) {
     const glm::uvec3& v = all.wall[w].vertex;
     walls.facet.push_back({{first[point_of[v.x]], first[point_of[v.y]], first[point_of[v.z]]}, 0});
   }
+  std::erase_if(walls.near, [&](const NearCore& near_core) { return is_line(walls.facet[near_core.first].corner); });
   return walls;
 }
 
@@ -216,7 +217,6 @@ CrossedSet crossed_walls(WallFacets& walls, const std::vector<Core>& cores, Thre
     }
     for (end = i; end < near.size() && near[end].second == near[i].second; ++end) {
       const auto& [a, b, c] = walls.facet[near[end].first].corner;
-      if (is_line({a, b, c})) continue;
       const Box<double> wall = box_of({walls.place[a], walls.place[b], walls.place[c]});
       for (std::uint32_t f = 0; f < box.size(); ++f) {
         if (wall.meets(box[f])) pairs.emplace_back(near[end].first, begin + f);
@@ -267,10 +267,9 @@ WalledSurfaces parted(WalledSurfaces all, const std::vector<Core>& cores, std::u
   std::vector<std::uint8_t> is_crossed(facets.wall.size(), 0);
   for (const std::uint32_t facet : crossed.crossed) is_crossed[facet] = 1;
   for (const auto& [facet, core] : facets.near) {
-    const std::array<std::uint32_t, 3>& corner = facets.facet[facet].corner;
     bool& is_gone = all.wall[facets.wall[facet]].is_gone;
     // The corners of a wall that nothing crosses lie on one side.
-    if (is_crossed[facet] == 0 && !is_gone && !is_line(corner)) is_gone = lies_in(cores[core], facets.place[corner[0]]);
+    if (is_crossed[facet] == 0 && !is_gone) is_gone = lies_in(cores[core], facets.place[facets.facet[facet].corner[0]]);
   }
   for (std::size_t i = 0; i < crossed.crossed.size(); ++i) {
     const std::optional<std::vector<FacetPart>> parts = parts_of(crossed.facet[i], facets.place);

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <set>
 #include <span>
-#include <string_view>
 
 #include "generator/base/units.h"
 #include "generator/mesh/principal_axes.h"
