@@ -60,7 +60,19 @@ if (${asItLies}) {
   camera.aspect = ${width} / ${height};
   camera.updateProjectionMatrix();
   const back = new THREE.Vector3(0, 0, 1).applyQuaternion(camera.getWorldQuaternion(new THREE.Quaternion()));
-  camera.position.copy(middle).addScaledVector(back, 0.72 * reach / Math.sin(camera.fov * Math.PI / 360));
+  // As near as shows every vertex, with a margin.
+  const up = Math.tan(camera.fov * Math.PI / 360), across = up * camera.aspect, place = new THREE.Vector3();
+  const turned = camera.getWorldQuaternion(new THREE.Quaternion()).invert();
+  let distance = 0;
+  fruit.updateMatrixWorld(true);
+  fruit.traverse((part) => {
+    for (let v = 0; part.isMesh && v < part.geometry.attributes.position.count; ++v) {
+      place.fromBufferAttribute(part.geometry.attributes.position, v).applyMatrix4(part.matrixWorld);
+      place.sub(middle).applyQuaternion(turned);
+      distance = Math.max(distance, place.z + 1.08 * Math.max(Math.abs(place.x) / across, Math.abs(place.y) / up));
+    }
+  });
+  camera.position.copy(middle).addScaledVector(back, distance);
 } else {
   camera.position.copy(middle).add(new THREE.Vector3(0.3, 0.8, 1).normalize().multiplyScalar(4.3 * reach));
   camera.lookAt(middle);
@@ -85,21 +97,30 @@ if (${atRim}) {
   camera.lookAt(at);
 }
 renderer.render(scene, camera);
-document.title = 'drawn';
+await fetch('/drawn');
 </script>`;
 const kinds = {
   '.js': 'text/javascript',
   '.glb': 'model/gltf-binary'
 };
+let drawn = false;  // the page has asked for /drawn; Chromium takes a picture of a page that failed, too
+const missing = [];
 const server =
   createServer((request, response) => {
     const path = new URL(request.url, 'http://x').pathname;
+    if (path === '/drawn') {
+      drawn = true;
+      return response.end();
+    }
     if (path === '/') return response.setHeader('Content-Type', 'text/html').end(page);
     const file = path === '/scene.glb' ? glb : path.startsWith('/node_modules/three/') ? resolve(`.${path}`) : null;
     try {
       response.setHeader('Content-Type', kinds[extname(file)]);
       response.end(readFileSync(file));
-    } catch { response.writeHead(404).end(); }
+    } catch {
+      missing.push(path);
+      response.writeHead(404).end();
+    }
   }).listen(0, '127.0.0.1');
 await new Promise((done) => server.on('listening', done));
 const profile = mkdtempSync(join(tmpdir(), 'maps_three-'));
@@ -114,3 +135,8 @@ await promisify(execFile)(
   {timeout: 200000});
 server.close();
 rmSync(profile, {recursive: true, force: true});
+if (!drawn) {
+  rmSync(picture, {force: true});
+  console.error(`maps_three: error: ${glb} was not drawn; not found: ${missing.join(' ') || 'nothing'}`);
+  process.exitCode = 1;
+}
