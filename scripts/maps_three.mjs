@@ -53,24 +53,30 @@ Object.assign(sun.shadow.camera, { left: -3 * reach, right: 3 * reach, top: 3 * 
   near: 0.1 * reach, far: 14 * reach });
 fruit.traverse((part) => { part.castShadow = part.isMesh; });
 scene.add(table, sun, sun.target);
+/** Calls visit with the place of each vertex in the scene, one vector for all of them. */
+function visitVertices(visit) {
+  const place = new THREE.Vector3();
+  fruit.updateMatrixWorld(true);
+  fruit.traverse((part) => {
+    for (let v = 0; part.isMesh && v < part.geometry.attributes.position.count; ++v)
+      visit(place.fromBufferAttribute(part.geometry.attributes.position, v).applyMatrix4(part.matrixWorld));
+  });
+}
 const camera = ${asItLies} ? cameras[0] :
   new THREE.PerspectiveCamera(25, ${width} / ${height}, 0.01 * reach, 100 * reach);
 if (${asItLies}) {
   fruit.traverse((part) => { part.receiveShadow = part.isMesh; });
   camera.aspect = ${width} / ${height};
   camera.updateProjectionMatrix();
-  const back = new THREE.Vector3(0, 0, 1).applyQuaternion(camera.getWorldQuaternion(new THREE.Quaternion()));
+  const turn = camera.getWorldQuaternion(new THREE.Quaternion());
+  const back = new THREE.Vector3(0, 0, 1).applyQuaternion(turn);
   // As near as shows every vertex, with a margin.
-  const up = Math.tan(camera.fov * Math.PI / 360), across = up * camera.aspect, place = new THREE.Vector3();
-  const turned = camera.getWorldQuaternion(new THREE.Quaternion()).invert();
+  const up = Math.tan(camera.fov * Math.PI / 360), across = up * camera.aspect;
+  const turnBack = turn.clone().invert();
   let distance = 0;
-  fruit.updateMatrixWorld(true);
-  fruit.traverse((part) => {
-    for (let v = 0; part.isMesh && v < part.geometry.attributes.position.count; ++v) {
-      place.fromBufferAttribute(part.geometry.attributes.position, v).applyMatrix4(part.matrixWorld);
-      place.sub(middle).applyQuaternion(turned);
-      distance = Math.max(distance, place.z + 1.08 * Math.max(Math.abs(place.x) / across, Math.abs(place.y) / up));
-    }
+  visitVertices((place) => {
+    const { x, y, z } = place.sub(middle).applyQuaternion(turnBack);
+    distance = Math.max(distance, z + 1.08 * Math.max(Math.abs(x) / across, Math.abs(y) / up));
   });
   camera.position.copy(middle).addScaledVector(back, distance);
 } else {
@@ -78,16 +84,11 @@ if (${asItLies}) {
   camera.lookAt(middle);
 }
 if (${atRim}) {
-  const face = new THREE.Vector3(0, 0, 1).applyEuler(fruit.rotation), at = new THREE.Vector3(),
-    place = new THREE.Vector3();
+  const face = new THREE.Vector3(0, 0, 1).applyEuler(fruit.rotation), at = new THREE.Vector3();
   let most = -Infinity;  // on the face, to the right in front
-  fruit.updateMatrixWorld(true);
-  fruit.traverse((part) => {
-    for (let v = 0; part.isMesh && v < part.geometry.attributes.position.count; ++v) {
-      place.fromBufferAttribute(part.geometry.attributes.position, v).applyMatrix4(part.matrixWorld);
-      const so = 1000 * place.dot(face) + place.x + place.z;
-      if (so > most) { most = so; at.copy(place); }
-    }
+  visitVertices((place) => {
+    const so = 1000 * place.dot(face) + place.x + place.z;
+    if (so > most) { most = so; at.copy(place); }
   });
   const out = at.clone().sub(middle);
   out.addScaledVector(face, -out.dot(face)).normalize();

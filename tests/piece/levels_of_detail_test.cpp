@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <ostream>
 #include <set>
 #include <span>
@@ -120,9 +119,9 @@ std::array<double, 2> most_triangles(const std::string& fruit) {
   if (is_all_small_bodies(fruit)) return {0.53, 0.5};
   // An onion has dozens of roots and wisps, and each keeps at least the triangles that a closed body needs.
   // So has a papaya hundreds of seeds, and a broccoli hundreds of florets of a few hundred triangles.
-  const std::map<std::string, double> second = {{"papaya", 0.35}, {"broccoli", 0.38}};
-  const auto found = second.find(fruit);
-  return {0.5, found == second.end() ? 1.0 / 3 : found->second};
+  if (fruit == "papaya") return {0.5, 0.35};
+  if (fruit == "broccoli") return {0.5, 0.38};
+  return {0.5, 1.0 / 3};
 }
 
 void expect_as_few_as_asked_for(const Solid& solid, const Levels& levels, const std::array<double, 2>& most) {

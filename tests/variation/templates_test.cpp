@@ -116,21 +116,21 @@ int seeds_in_half(const Template& fruit, VariantKey key, bool as_drawn) {
   return std::min(on_left, on_right);
 }
 
+/// On the side of the axis that shows fewer, these variants have half of the seeds that the drawing has there, or more.
+void expect_half_of_the_drawn_seeds(const std::string& name, const std::vector<std::uint64_t>& seeds) {
+  const Template fruit = drawn(name);
+  const int as_drawn = seeds_in_half(fruit, {}, true);
+  for (const std::uint64_t seed : seeds) EXPECT_GT(2 * seeds_in_half(fruit, {seed, 0}, false), as_drawn) << seed;
+}
+
 /// Before, their axes bent out of that plane, by a millimetre, and it met no seeds in the middle of a row: a tenth.
 TEST(TemplateHalves, ShowSeedsOfAKiwiOnBothSidesOfABentAxis) {
-  const Template fruit = drawn("kiwi");
-  const int as_drawn = seeds_in_half(fruit, {}, true);
-  for (const std::uint64_t seed : {36, 42, 99, 159})
-    EXPECT_GT(2 * seeds_in_half(fruit, {seed, 0}, false), as_drawn) << seed;
+  expect_half_of_the_drawn_seeds("kiwi", {36, 42, 99, 159});
 }
 
 /// Before, each of a carpel's two rows of seeds counted by itself: opposite carpels turn the same row to a plane, and
 /// it passed between the two.
-TEST(TemplateHalves, ShowSeedsOfACucumberInEitherRow) {
-  const Template fruit = drawn("cucumber");
-  const int as_drawn = seeds_in_half(fruit, {}, true);
-  for (const std::uint64_t seed : {9, 39}) EXPECT_GT(2 * seeds_in_half(fruit, {seed, 0}, false), as_drawn) << seed;
-}
+TEST(TemplateHalves, ShowSeedsOfACucumberInEitherRow) { expect_half_of_the_drawn_seeds("cucumber", {9, 39}); }
 
 /// Before, seeds stood in six groups that a variant turned, and the axis bent out of that plane: of 200 halves twelve
 /// had less than half of the drawing's seeds. A seed has some 30 such triangles; these three had 138 to 152.
@@ -140,28 +140,15 @@ TEST(TemplateHalves, ShowARowOfSeedsOfAWatermelonOnBothSides) {
 }
 
 /// Before, seeds stood so far apart that a half met three of them on one side.
-TEST(TemplateHalves, ShowSeedsOfATomatoOnBothSides) {
-  const Template fruit = drawn("tomato");
-  const int as_drawn = seeds_in_half(fruit, {}, true);
-  for (const std::uint64_t seed : {126, 156, 182})
-    EXPECT_GT(2 * seeds_in_half(fruit, {seed, 0}, false), as_drawn) << seed;
-}
+TEST(TemplateHalves, ShowSeedsOfATomatoOnBothSides) { expect_half_of_the_drawn_seeds("tomato", {126, 156, 182}); }
 
 /// Before, seeds stood within 29 degrees of the middle of a chamber, and a plane through the axis lies 30 degrees from
 /// two of three: of 100 halves 26 had less than half of the drawing's seeds.
-TEST(TemplateHalves, ShowSeedsOfACourgetteOnBothSides) {
-  const Template fruit = drawn("courgette");
-  const int as_drawn = seeds_in_half(fruit, {}, true);
-  for (const std::uint64_t seed : {112, 138, 151})
-    EXPECT_GT(2 * seeds_in_half(fruit, {seed, 0}, false), as_drawn) << seed;
-}
+TEST(TemplateHalves, ShowSeedsOfACourgetteOnBothSides) { expect_half_of_the_drawn_seeds("courgette", {112, 138, 151}); }
 
 /// Before, some had five or seven chambers, so that a half passed by a membrane on one side, outside of the arils.
 TEST(TemplateHalves, ShowArilsOfAPomegranateOnBothSides) {
-  const Template fruit = drawn("pomegranate");
-  const int as_drawn = seeds_in_half(fruit, {}, true);
-  for (const std::uint64_t seed : {155, 169, 172})
-    EXPECT_GT(2 * seeds_in_half(fruit, {seed, 0}, false), as_drawn) << seed;
+  expect_half_of_the_drawn_seeds("pomegranate", {155, 169, 172});
 }
 
 Enclosures enclosures_of(const DiffusionSurfaces& surfaces, std::int32_t surface) {
