@@ -38,9 +38,10 @@ struct Options {
 /// What an unseen fruit is held to.
 constexpr double short_side =
     0.5;  ///< min area of a part on a side, relative to the drawing's side that has less of it
-constexpr double least_part = 0.003;  ///< parts with a smaller share of the drawn section are not regarded
-constexpr double stated_drift = 5;    ///< max change of a tissue's colour differences, in 255ths
-constexpr double few_specks = 5;      ///< so many more than twice the drawing's are too many
+constexpr double least_part = 0.003;   ///< parts with a smaller share of the drawn section are not regarded
+constexpr double stated_drift = 5;     ///< max change of a tissue's colour differences, in 255ths
+constexpr double stated_growth = 1.6;  ///< max factor between the diagonals of a variant and the drawing
+constexpr double few_specks = 5;       ///< so many more than twice what is usual are too many
 
 struct SeedRange {
   int first = 1, last = 200;
@@ -63,6 +64,7 @@ Json row_of(const std::string& name, int seed, const UnseenFacts& facts) {
   return {{"fruit", name},
           {"seed", seed},
           {"folds", facts.folds},
+          {"diagonal", facts.diagonal},
           {"half", json_of(facts.half)},
           {"across", json_of(facts.across)},
           {"grains", facts.grains},
@@ -112,18 +114,10 @@ double specks_of(const Json& row) {
   return row["half"]["specks"].get<double>() + row["across"]["specks"].get<double>();
 }
 
-/// The faults of a fruit, each 0 if it is sound.
-std::map<std::string, double> faults_of(const Json& row, const Json& drawn, const PartsToShow& parts) {
-  const Lack lack = worst_lack(row, drawn, parts);
-  // Chambers may be empty where the drawing has empty ones.
-  const double empty = drawn["empty_chambers"] == 0 ? row["empty_chambers"].get<double>() : 0;
-  const double specks = specks_of(row), most_specks = 2 * specks_of(drawn) + few_specks;
-  const double drift = row["drift"];
-  return {{"short", lack.share < short_side ? 1 - lack.share : 0},
-          {"crossings", row["crossings"].get<double>()},
-          {"empty", empty},
-          {"drift", drift > stated_drift ? drift : 0},
-          {"specks", specks > most_specks ? specks : 0}};
+/// By how much it is larger or smaller than the drawing.
+double growth(const Json& row, const Json& drawn) {
+  const double ratio = row["diagonal"].get<double>() / drawn["diagonal"].get<double>();
+  return std::max(ratio, 1 / ratio);
 }
 
 struct Fruit {
@@ -131,6 +125,35 @@ struct Fruit {
   PartsToShow parts;
   std::vector<Json> rows;  ///< the drawing first
 };
+
+double median_specks(const Fruit& fruit) {
+  std::vector<double> specks;
+  for (std::size_t i = 1; i < fruit.rows.size(); ++i) specks.push_back(specks_of(fruit.rows[i]));
+  if (specks.empty()) return 0;
+  const auto middle = specks.begin() + static_cast<std::ptrdiff_t>(specks.size() / 2);
+  std::nth_element(specks.begin(), middle, specks.end());
+  return *middle;
+}
+
+/// Usual is what the drawing has, or half of all seeds: the drawing is but one draw of where organs sit. The median is
+/// itself held to the drawing.
+double most_specks(const Fruit& fruit) {
+  const auto most = [](double usual) { return 2 * usual + few_specks; };
+  const double drawn = specks_of(fruit.rows.front()), median = median_specks(fruit);
+  return median <= most(drawn) ? most(std::max(drawn, median)) : most(drawn);
+}
+
+/// The faults of a fruit in one of its rows, each 0 if it is sound.
+std::map<std::string, double> faults_of(const Fruit& fruit, const Json& row) {
+  const Json& drawn = fruit.rows.front();
+  const Lack lack = worst_lack(row, drawn, fruit.parts);
+  // Chambers may be empty where the drawing has empty ones.
+  const double empty = drawn["empty_chambers"] == 0 ? row["empty_chambers"].get<double>() : 0;
+  const double specks = specks_of(row), drift = row["drift"], grown = growth(row, drawn);
+  return {{"size", grown > stated_growth ? grown : 0},   {"short", lack.share < short_side ? 1 - lack.share : 0},
+          {"crossings", row["crossings"].get<double>()}, {"empty", empty},
+          {"drift", drift > stated_drift ? drift : 0},   {"specks", specks > most_specks(fruit) ? specks : 0}};
+}
 
 Json measured_row(const UnseenFruit& fruit, const std::string& name, int seed) {
   return row_of(name, seed, fruit.facts(seed));
@@ -155,7 +178,7 @@ std::vector<Json> rows_of(const std::string& name, const UnseenFruit& fruit, con
 std::string worst_seeds(const Fruit& fruit, const std::string& fault) {
   std::vector<std::pair<double, int>> worst;
   for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-    const double by = faults_of(fruit.rows[i], fruit.rows.front(), fruit.parts).at(fault);
+    const double by = faults_of(fruit, fruit.rows[i]).at(fault);
     if (by > 0) worst.emplace_back(-by, fruit.rows[i]["seed"].get<int>());
   }
   std::sort(worst.begin(), worst.end());
@@ -168,12 +191,6 @@ std::string worst_seeds(const Fruit& fruit, const std::string& fault) {
 double mean(const Fruit& fruit, const char* key) {
   double sum = 0;
   for (std::size_t i = 1; i < fruit.rows.size(); ++i) sum += fruit.rows[i][key].get<double>();
-  return sum / static_cast<double>(std::max<std::size_t>(1, fruit.rows.size() - 1));
-}
-
-double mean_specks(const Fruit& fruit) {
-  double sum = 0;
-  for (std::size_t i = 1; i < fruit.rows.size(); ++i) sum += specks_of(fruit.rows[i]);
   return sum / static_cast<double>(std::max<std::size_t>(1, fruit.rows.size() - 1));
 }
 
@@ -197,17 +214,24 @@ double worst_of(const Fruit& fruit, const char* key) {
   return most;
 }
 
+double most_growth(const Fruit& fruit) {
+  double most = 1;
+  for (const Json& row : fruit.rows) most = std::max(most, growth(row, fruit.rows.front()));
+  return most;
+}
+
 TextTable table_of(const std::vector<Fruit>& fruits) {
   TextTable table{
-      {"", "seeds", "short of a part", "most often", "with grains crossed", "crossed of", "a fruit",
-       "with an empty chamber", "tissues apart", "most, of 255", "with specks", "specks, drawn", "on average"},
+      {"", "seeds", "out of size", "most, times", "short of a part", "most often", "with grains crossed", "crossed of",
+       "a fruit", "with an empty chamber", "tissues apart", "most, of 255", "with specks", "specks, drawn", "median"},
       {}};
   for (const Fruit& fruit : fruits) {
-    table.rows.push_back({fruit.name, std::to_string(fruit.rows.size() - 1), worst_seeds(fruit, "short"),
-                          most_lacking(fruit), worst_seeds(fruit, "crossings"), number(mean(fruit, "crossings"), 1),
+    table.rows.push_back({fruit.name, std::to_string(fruit.rows.size() - 1), worst_seeds(fruit, "size"),
+                          number(most_growth(fruit), 2), worst_seeds(fruit, "short"), most_lacking(fruit),
+                          worst_seeds(fruit, "crossings"), number(mean(fruit, "crossings"), 1),
                           number(mean(fruit, "grains"), 0), worst_seeds(fruit, "empty"), worst_seeds(fruit, "drift"),
                           number(worst_of(fruit, "drift"), 1), worst_seeds(fruit, "specks"),
-                          number(specks_of(fruit.rows.front()), 0), number(mean_specks(fruit), 0)});
+                          number(specks_of(fruit.rows.front()), 0), number(median_specks(fruit), 0)});
   }
   return table;
 }
@@ -217,7 +241,7 @@ int fallen_out(const std::vector<Fruit>& fruits) {
   int fallen = 0;
   for (const Fruit& fruit : fruits) {
     for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-      const auto faults = faults_of(fruit.rows[i], fruit.rows.front(), fruit.parts);
+      const auto faults = faults_of(fruit, fruit.rows[i]);
       fallen += std::any_of(faults.begin(), faults.end(), [](const auto& fault) { return fault.second > 0; });
     }
   }
@@ -228,12 +252,12 @@ int fallen_out(const std::vector<Fruit>& fruits) {
 Json worst_fruits(const std::vector<Fruit>& fruits) {
   constexpr std::size_t of_all = 10, of_one = 2;
   Json list = Json::array();
-  for (const char* fault : {"short", "crossings", "empty", "drift", "specks"}) {
+  for (const char* fault : {"size", "short", "crossings", "empty", "drift", "specks"}) {
     std::vector<std::tuple<double, std::string, int>> worst;
     for (const Fruit& fruit : fruits) {
       std::vector<std::tuple<double, std::string, int>> own;
       for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-        const double by = faults_of(fruit.rows[i], fruit.rows.front(), fruit.parts).at(fault);
+        const double by = faults_of(fruit, fruit.rows[i]).at(fault);
         if (by > 0) own.emplace_back(-by, fruit.name, fruit.rows[i]["seed"].get<int>());
       }
       std::sort(own.begin(), own.end());

@@ -10,6 +10,7 @@
 #include "generator/cut/section/section_crumbs.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
+#include "generator/mesh/box.h"
 #include "generator/mesh/connected_vertices.h"
 #include "generator/mesh/enclosures.h"
 #include "generator/mesh/weld.h"
@@ -32,9 +33,17 @@ double area_of(const CrossSection& section, const glm::uvec3& t) {
 /// Loose bits, and patches of one part, below these shares of a section are specks.
 constexpr double small_bit = 10 * section_crumb, small_patch = section_crumb;
 
-/// Number of the section's components below this area. Triangles are connected at common places, of one part only if
-/// `by_part`.
-int small_components(const CrossSection& section, bool by_part, double below) {
+/// Nor is a patch a speck that has this share of what is usual for its part: a seed that the knife has grazed.
+constexpr double grazed = 0.1;
+
+/// A component of the section.
+struct Patch {
+  int part = 0;  ///< of its first triangle
+  double area = 0;
+};
+
+/// Triangles are connected at common places, of one part only if `by_part`.
+std::vector<Patch> components_of(const CrossSection& section, bool by_part) {
   const std::vector<std::uint32_t> place = weld(section.position);
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> known;
   DisjointSets joined(3 * section.triangle.size());
@@ -48,10 +57,38 @@ int small_components(const CrossSection& section, bool by_part, double below) {
       joined.join(first[t], corner);
     }
   }
-  std::map<std::uint32_t, double> areas;
-  for (std::size_t t = 0; t < first.size(); ++t) areas[joined.root(first[t])] += area_of(section, section.triangle[t]);
-  return static_cast<int>(
-      std::count_if(areas.begin(), areas.end(), [&](const auto& component) { return component.second < below; }));
+  std::map<std::uint32_t, Patch> found;
+  for (std::size_t t = 0; t < first.size(); ++t) {
+    Patch& patch = found.try_emplace(joined.root(first[t]), section.part[section.triangle[t].x]).first->second;
+    patch.area += area_of(section, section.triangle[t]);
+  }
+  std::vector<Patch> components;
+  for (const auto& [root, patch] : found) components.push_back(patch);
+  return components;
+}
+
+/// The patch in which the middle of a part's area lies, smaller ones first: its usual size.
+std::map<int, double> usual_areas(std::vector<Patch> patches) {
+  std::sort(patches.begin(), patches.end(), [](const Patch& a, const Patch& b) { return a.area < b.area; });
+  std::map<int, double> total, before, usual;
+  for (const Patch& patch : patches) total[patch.part] += patch.area;
+  for (const Patch& patch : patches) {
+    before[patch.part] += patch.area;
+    if (2 * before[patch.part] >= total[patch.part]) usual.try_emplace(patch.part, patch.area);
+  }
+  return usual;
+}
+
+/// Number of loose bits and of patches that look like crumbs on a face of this area.
+int speck_count(const CrossSection& section, double area) {
+  const std::vector<Patch> bits = components_of(section, false), patches = components_of(section, true);
+  const std::map<int, double> usual = usual_areas(patches);
+  const auto is_small_bit = [&](const Patch& bit) { return bit.area < small_bit * area; };
+  const auto is_small_patch = [&](const Patch& patch) {
+    return patch.area < std::min(small_patch * area, grazed * usual.at(patch.part));
+  };
+  return static_cast<int>(std::count_if(bits.begin(), bits.end(), is_small_bit) +
+                          std::count_if(patches.begin(), patches.end(), is_small_patch));
 }
 
 FaceFacts face_facts(const GrownFruit& grown, const char* knife, const Diffuser& diffuser) {
@@ -70,8 +107,7 @@ FaceFacts face_facts(const GrownFruit& grown, const char* knife, const Diffuser&
       (right ? on_right : on_left) += third;
     }
   }
-  facts.specks = small_components(section, false, small_bit * facts.area) +
-                 small_components(section, true, small_patch * facts.area);
+  facts.specks = speck_count(section, facts.area);
   return facts;
 }
 
@@ -272,6 +308,7 @@ UnseenFacts UnseenFruit::facts(int seed) const {
 
   UnseenFacts facts;
   facts.folds = fold_count(variant);
+  facts.diagonal = glm::length(box_around(grown.swept.position).size());
   facts.half = face_facts(grown, "half", *diffuser);
   facts.across = face_facts(grown, "across", *diffuser);
   add_grains(facts, variant, grown);

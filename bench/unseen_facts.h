@@ -19,7 +19,7 @@ struct FaceFacts {
   /// Per part: shares of the section on the left and on the right of the axis.
   std::map<std::string, std::pair<double, double>> sides;
   double area = 0;  ///< square metres
-  int specks = 0;   ///< loose bits below a two-hundredth of it, and patches of one part below a two-thousandth
+  int specks = 0;   ///< loose bits and patches of one part that look like crumbs
 };
 
 /// Two parts that are one tissue, and how much the difference of their colours differs from the drawn one, in 255ths of
@@ -31,6 +31,7 @@ struct TissueDrift {
 
 struct UnseenFacts {
   int folds = 1;
+  double diagonal = 0;  ///< of the box around it, metres
   FaceFacts half, across;
   int grains = 0;           ///< those that grow on a surface in folds
   int crossings = 0;        ///< those of them that a membrane crosses

@@ -29,6 +29,9 @@ struct SheetVeins {
   double strength = 0;  ///< how much of the leaf's colour they cover, 0..1
 };
 
+/// The place where the leaves of a rosette end at the latest: beyond 1 they would lie over each other on the axis.
+constexpr double rosette_end = 0.97;
+
 /// Many thin bodies of one kind, one over the other or side by side. Each is a closed shell of a front, which faces
 /// air, and a flesh behind it. They meet nowhere.
 struct SheetSketch {

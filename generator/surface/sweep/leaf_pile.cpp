@@ -160,17 +160,19 @@ class Foliation {
 /// What is drawn by lot for one leaf.
 struct LeafChance {
   double age = 0;
-  glm::dvec2 turn{1, 0};  ///< cosine and sine of its azimuth
-  double tip = 1;         ///< the place where it ends
-  double width = 1;       ///< factor of the outline
-  double phase = 0;       ///< of its waves
-  double skew = 0;        ///< of its tip
+  glm::dvec2 turn{1, 0};   ///< cosine and sine of its azimuth
+  double tip = 1;          ///< the place where it ends
+  double end = table_end;  ///< the place beyond which no point of it lies
+  double width = 1;        ///< factor of the outline
+  double phase = 0;        ///< of its waves
+  double skew = 0;         ///< of its tip
 };
 
 LeafChance leaf_chance(const SheetSketch& sketch, const RandomStream& random, int k) {
   const auto n = static_cast<std::uint64_t>(k);
   const auto normal = [&](std::uint64_t draw) { return clipped_normal(random, 4 * n + draw); };
   LeafChance leaf;
+  if (sketch.kind == SheetSketch::Kind::rosette) leaf.end = rosette_end;
   leaf.age = age_of(sketch, k);
   const double azimuth = sketch.divergence * k + sketch.turn_jitter * normal(0);
   leaf.turn = {reproducible::cos(azimuth), reproducible::sin(azimuth)};
@@ -281,7 +283,7 @@ class LeafPile {
   /// Places along at the tip, across: round.
   static double tip_at(const LeafChance& leaf, double across) {
     const double side = std::fabs(across);
-    return leaf.tip * (1 - 0.16 * side * side * std::sqrt(side)) + leaf.skew * across;
+    return std::min(leaf.end, leaf.tip * (1 - 0.16 * side * side * std::sqrt(side)) + leaf.skew * across);
   }
 
   /// How far a leaf stands off from what it lies on, and how thick it is, metres.

@@ -94,7 +94,7 @@ void read_leaf(const TomlTable& table, SheetSketch& sheet) {
     check_ends_on_axis(table.get("inner"), sheet.inner);
     check_ends_on_axis(table.get("outer"), sheet.outer);
   }
-  sheet.reach = read_numbers(table.get("reach"), over ? 1.15 : 0.85, {0.1, over ? 1.6 : 0.97});
+  sheet.reach = read_numbers(table.get("reach"), over ? 1.15 : 0.85, {0.1, over ? 1.6 : rosette_end});
   sheet.reach_jitter = table.get("reach_jitter").number(0, {0, 0.2});
   sheet.by_age = read_numbers(table.get("by_age"), 1, {0.1, 4});
   if (table.has("rib")) sheet.rib = read_rib(table.get("rib").table());
