@@ -28,7 +28,7 @@ total = {items}
 knives = "half"
 formats = "glb"
 thumbnail = 256
-{texture}
+{further}
 """
 
 
@@ -40,6 +40,14 @@ def measured(words):
     if status != 0:
         sys.exit(f"measure_batch: error: {' '.join(words)} ended with {status}")
     return time.monotonic() - began, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def measured_batch(program, items, threads, further=""):
+    """What `measured` tells of a batch of so many items. `further` has more keys of its entry."""
+    with tempfile.TemporaryDirectory(prefix="pomona-batch-") as folder:
+        file = pathlib.Path(folder, "bench.toml")
+        file.write_text(BATCH.format(items=items, further=further))
+        return measured([program, "batch", str(file), "-o", f"{folder}/out", "--threads", str(threads), "--quiet"])
 
 
 def main():
@@ -58,11 +66,7 @@ def main():
     print("|--:|--:|--:|--:|--:|--:|")
     for items in asked.items:
         for threads in asked.threads or (1, 2):
-            with tempfile.TemporaryDirectory(prefix="pomona-batch-") as folder:
-                file = pathlib.Path(folder, "bench.toml")
-                file.write_text(BATCH.format(items=items, texture=texture))
-                words = [program, "batch", str(file), "-o", f"{folder}/out", "--threads", str(threads), "--quiet"]
-                seconds, processor, memory = measured(words)
+            seconds, processor, memory = measured_batch(program, items, threads, texture)
             print(f"| {items} | {threads} | {seconds:.1f} s | {items / seconds:.2f} | {1000 * processor / items:.0f} ms | "
                   f"{memory:.0f} MB |", flush=True)
 

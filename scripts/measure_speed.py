@@ -4,6 +4,7 @@
     measure_speed.py PROGRAM ROAD [ROW ...]      ROAD is build/bench/road; a ROW is a word of its line, all unless said
 
 Times are of the processor, on one thread; the least of three runs counts, because other programs use the machine, too.
+Batches are measured by the clock, on two threads, a part of their thousand pieces.
 `measured / aim` is at most 1 where an aim is met.
 """
 
@@ -14,7 +15,7 @@ import re
 import subprocess
 import tempfile
 
-from measure_batch import measured
+from measure_batch import measured, measured_batch
 
 RUNS = 3
 SOURCES = pathlib.Path(__file__).resolve().parent.parent
@@ -42,6 +43,10 @@ class Measuring:
 
     def wedges(self):
         return self.seconds("cut", "tomato", "--knife", "wedges:6", "--texture", "1024", "--maps", "color", "--threads", "1")
+
+    def thousand_pieces(self, items, further=""):
+        """Seconds by the clock of 500 items, halved, of which only so many are made."""
+        return 500 / items * measured_batch(self.program, items, 2, further)[0]
 
     def road_times(self, quality):
         told = subprocess.run([self.road, "--seeds", "1", "--runs", "1", "--quality", quality, "--json"],
@@ -76,6 +81,9 @@ ROWS = [
     ("road: draft, mean of all templates", lambda m: m.road_mean("draft"), "ms", 150),
     ("slowest: draft, the slowest template", lambda m: max(m.road_times("draft")), "ms", 300),
     ("final: mean of all templates", lambda m: m.road_mean("final"), "ms", 240),
+    ("grapes: half of a bunch", lambda m: m.half("grapes"), "s", 1.5),
+    ("pieces: a batch of 1 000 at draft, by the clock, on two threads", lambda m: m.thousand_pieces(112), "s", 45),
+    ("baked: the same with 512 texels", lambda m: m.thousand_pieces(56, "texture = 512"), "s", 150),
     ("folds: 64 beside 16 of a tomato", Measuring.folds, "times", 4),
     ("bowl: 300 pieces laid out at draft, memory", Measuring.bowl, "MB", 400),
 ]
