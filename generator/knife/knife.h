@@ -46,9 +46,10 @@ struct WedgeKnife {
   int count = 2;
   double start = 0;  ///< angle of the first one, radians, from +X towards -Z (turned_wedges.h)
 };
-/// Along level planes.
+/// Along planes across one axis; level ones unless said otherwise.
 struct SliceKnife {
   SliceSize size;
+  int axis = 1;  ///< 0, 1 or 2: x, y or z
 };
 /// Along planes across x, y and z.
 struct DiceKnife {

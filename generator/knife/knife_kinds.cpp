@@ -91,7 +91,14 @@ SliceSize parse_slices(string_view value) {
   return SliceThickness{parse_thickness(value, "4mm, or a count")};
 }
 
-/// Slices, dice or sticks.
+KnifeCut read_slices(const KnifeKind& kind, string_view value, const path&) {
+  const std::vector<string_view> words = split_at_commas(value);
+  const std::span<const string_view> further = std::span(words).subspan(1);
+  const KnifeOptions options(further, kind.options);
+  return PlaneCut(SliceKnife{parse_slices(words[0]), options.axis("along").value_or(1)});
+}
+
+/// Dice or sticks.
 template <typename Sliced>
 KnifeCut read_sliced(const KnifeKind&, string_view value, const path&) {
   return PlaneCut(Sliced{parse_slices(value)});
@@ -189,9 +196,9 @@ std::vector<KnifeKind> make_kinds() {
       {"wedges", {"wedges:N"}, {}, "N half-planes from the axis, the first towards +X", read_wedges},
       {"slices",
        {"slices:4mm", "slices:8"},
-       {},
-       "level planes, so far apart or for so many slices",
-       read_sliced<SliceKnife>},
+       {"along=x"},
+       "level planes, or across x or z, so far apart or for so many slices",
+       read_slices},
       {"dice",
        {"dice:12mm", "dice:4"},
        {},

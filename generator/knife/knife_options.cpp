@@ -85,6 +85,16 @@ std::optional<double> KnifeOptions::length(std::string_view name, double max) co
   return *value;
 }
 
+std::optional<int> KnifeOptions::axis(std::string_view name) const {
+  const Option* option = find(name);
+  if (!option) return std::nullopt;
+  constexpr std::string_view axes = "xyz";
+  const std::string_view value = option->values.size() == 1 ? option->values[0] : std::string_view();
+  const std::size_t found = value.size() == 1 ? axes.find(value) : std::string_view::npos;
+  if (found == std::string_view::npos) throw BadKnife("needs x, y or z for " + std::string(name));
+  return static_cast<int>(found);
+}
+
 template <typename Parse>
 std::optional<glm::dvec3> KnifeOptions::triple(std::string_view name, const Parse& parse,
                                                const std::string& example) const {

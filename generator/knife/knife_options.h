@@ -33,6 +33,9 @@ class KnifeOptions {
   /// A length above 0 and at most `max` metres, if the option is there. \throws BadKnife for any other value.
   std::optional<double> length(std::string_view name, double max) const;
 
+  /// 0, 1 or 2 for x, y or z. \throws BadKnife for any other value.
+  std::optional<int> axis(std::string_view name) const;
+
   /// Three lengths, each within 100 m. \throws BadKnife
   std::optional<glm::dvec3> place(std::string_view name) const;
 

@@ -39,7 +39,7 @@ class PlaneLayer {
   void operator()(const PlaneKnife& knife) { laid_.planes.push_back(knife.plane); }
   void operator()(const HalfKnife&) { laid_.planes.push_back({{0, 0, 1}, 0}); }
   void operator()(const AcrossKnife&) { laid_.planes.push_back({{0, 1, 0}, bounds_.center().y}); }
-  void operator()(const SliceKnife& knife) { add_slices(knife.size, 1); }
+  void operator()(const SliceKnife& knife) { add_slices(knife.size, knife.axis); }
   void operator()(const DiceKnife& knife) {
     for (int axis = 0; axis < 3; ++axis) add_slices(knife.size, axis);
   }

@@ -94,6 +94,8 @@ TEST_F(KnifeKinds, AreAllThereAreAndNoTwoTheSame) {
 TEST_F(KnifeKinds, HoldWhatTheirWordsSay) {
   const auto slices = std::get<SliceKnife>(std::get<PlaneCut>(parsed("slices:8").cut));
   EXPECT_EQ(std::get<SliceCount>(slices.size).count, 8);
+  EXPECT_EQ(slices.axis, 1);
+  EXPECT_EQ(std::get<SliceKnife>(std::get<PlaneCut>(parsed("slices:4mm,along=x").cut)).axis, 0);
   const auto sticks = std::get<StickKnife>(std::get<PlaneCut>(parsed("sticks:6mm").cut));
   EXPECT_DOUBLE_EQ(std::get<SliceThickness>(sticks.size).metres, 0.006);
   EXPECT_EQ(std::get<WedgeKnife>(std::get<PlaneCut>(parsed("wedges:7").cut)).count, 7);
@@ -128,6 +130,7 @@ TEST_F(KnifeKinds, WhatIsMistypedIsToldWhatWasMeant) {
   EXPECT_THAT(hint_for("chainsaw"), StartsWith("a knife is one of: half, across, "));
   EXPECT_EQ(hint_for("core:18mm,size=3mm"), "it has at=X,Y,Z, axis=X,Y,Z and depth=4cm");
   EXPECT_EQ(hint_for("peel:2mm,at=0,0,0"), "it has spiral=15mm");
+  EXPECT_EQ(hint_for("slices:4mm,across=x"), "it has along=x");
 }
 
 TEST_F(KnifeKinds, HaveALineOfHelpEach) {

@@ -51,6 +51,10 @@ TEST(Knife, BadOnesAreUsageErrorsThatSayWhatAKnifeIs) {
                            "slices:-4mm",
                            "slices:99999",
                            "slices:1e999m",
+                           "slices:8,along=w",
+                           "slices:8,along=xy",
+                           "slices:8,x",
+                           "slices:8,along=x,along=z",
                            "dice",
                            "dice:1",
                            "dice:0mm",
@@ -121,6 +125,14 @@ TEST(Knife, SlicesAreCentred) {
   // Where they fit exactly, no plane lies on the ends.
   EXPECT_EQ(planes_of(parse_knife("slices:10mm"), box).planes.size(), 7u);
   EXPECT_THROW(planes_of(parse_knife("slices:0.001mm"), box), Error);
+
+  // Across another axis, by the extent along it.
+  const KnifePlanes upright = planes_of(parse_knife("slices:4,along=x"), box);
+  ASSERT_EQ(upright.planes.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(upright.planes[i].normal, glm::dvec3(1, 0, 0));
+    EXPECT_NEAR(upright.planes[i].offset, box.low.x + (i + 1) * box.size().x / 4, 1e-15);
+  }
 }
 
 TEST(Knife, DiceAndSticksAreSlicesInSeveralDirections) {
