@@ -118,10 +118,10 @@ void append_exclusions(std::string& text, const SimulatedScene& made, Threads th
   text += "  </contact>\n";
 }
 
-/// Welds are as stiff as MuJoCo allows (solimp up to 0.9999), because what gives way is in proportion to what hangs on a
-/// body: a splinter of a stalk between two halves of a berry bears two thousand times its own mass.
-/// MuJoCo's welds never break: who runs the model compares the force of each with its strength, which stands beside it
-/// as a number, and lets it go.
+/// Welds are as stiff as MuJoCo allows (solimp up to 0.9999), because what gives way is in proportion to what hangs on
+/// a body: a splinter of a stalk between two halves of a berry bears two thousand times its own mass. MuJoCo's welds
+/// never break: who runs the model compares the force of each with its strength, which stands beside it as a number,
+/// and lets it go.
 void append_welds(std::string& text, const SimulatedScene& made) {
   if (made.welds.empty()) return;
   const auto body = [&](int number) { return made.bodies[static_cast<std::size_t>(number)].name; };
