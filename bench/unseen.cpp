@@ -120,10 +120,14 @@ double growth(const Json& row, const Json& drawn) {
   return std::max(ratio, 1 / ratio);
 }
 
+/// By name, each 0 if the fruit is sound.
+using Faults = std::map<std::string, double>;
+
 struct Fruit {
   std::string name;
   PartsToShow parts;
-  std::vector<Json> rows;  ///< the drawing first
+  std::vector<Json> rows;      ///< the drawing first
+  std::vector<Faults> faults;  ///< of each row
 };
 
 double median_specks(const Fruit& fruit) {
@@ -143,16 +147,23 @@ double most_specks(const Fruit& fruit) {
   return median <= most(drawn) ? most(std::max(drawn, median)) : most(drawn);
 }
 
-/// The faults of a fruit in one of its rows, each 0 if it is sound.
-std::map<std::string, double> faults_of(const Fruit& fruit, const Json& row) {
+std::vector<Faults> faults_of(const Fruit& fruit) {
   const Json& drawn = fruit.rows.front();
-  const Lack lack = worst_lack(row, drawn, fruit.parts);
-  // Chambers may be empty where the drawing has empty ones.
-  const double empty = drawn["empty_chambers"] == 0 ? row["empty_chambers"].get<double>() : 0;
-  const double specks = specks_of(row), drift = row["drift"], grown = growth(row, drawn);
-  return {{"size", grown > stated_growth ? grown : 0},   {"short", lack.share < short_side ? 1 - lack.share : 0},
-          {"crossings", row["crossings"].get<double>()}, {"empty", empty},
-          {"drift", drift > stated_drift ? drift : 0},   {"specks", specks > most_specks(fruit) ? specks : 0}};
+  const double specks_allowed = most_specks(fruit);
+  std::vector<Faults> faults;
+  for (const Json& row : fruit.rows) {
+    const Lack lack = worst_lack(row, drawn, fruit.parts);
+    // Chambers may be empty where the drawing has empty ones.
+    const double empty = drawn["empty_chambers"] == 0 ? row["empty_chambers"].get<double>() : 0;
+    const double specks = specks_of(row), drift = row["drift"], grown = growth(row, drawn);
+    faults.push_back({{"size", grown > stated_growth ? grown : 0},
+                      {"short", lack.share < short_side ? 1 - lack.share : 0},
+                      {"crossings", row["crossings"].get<double>()},
+                      {"empty", empty},
+                      {"drift", drift > stated_drift ? drift : 0},
+                      {"specks", specks > specks_allowed ? specks : 0}});
+  }
+  return faults;
 }
 
 Json measured_row(const UnseenFruit& fruit, const std::string& name, int seed) {
@@ -175,17 +186,28 @@ std::vector<Json> rows_of(const std::string& name, const UnseenFruit& fruit, con
   return rows;
 }
 
-std::string worst_seeds(const Fruit& fruit, const std::string& fault) {
-  std::vector<std::pair<double, int>> worst;
+struct FaultySeed {
+  double by = 0;
+  int seed = 0;
+};
+
+/// The seeds with this fault, the worst first.
+std::vector<FaultySeed> faulty_seeds(const Fruit& fruit, const std::string& fault) {
+  std::vector<FaultySeed> faulty;
   for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-    const double by = faults_of(fruit, fruit.rows[i]).at(fault);
-    if (by > 0) worst.emplace_back(-by, fruit.rows[i]["seed"].get<int>());
+    const double by = fruit.faults[i].at(fault);
+    if (by > 0) faulty.push_back({by, fruit.rows[i]["seed"].get<int>()});
   }
-  std::sort(worst.begin(), worst.end());
+  std::stable_sort(faulty.begin(), faulty.end(), [](const auto& a, const auto& b) { return a.by > b.by; });
+  return faulty;
+}
+
+std::string worst_seeds(const Fruit& fruit, const std::string& fault) {
+  const std::vector<FaultySeed> faulty = faulty_seeds(fruit, fault);
   std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(worst.size(), 3); ++i)
-    text += " " + std::to_string(worst[i].second);
-  return std::to_string(worst.size()) + (text.empty() ? "" : ":" + text);
+  for (std::size_t i = 0; i < std::min<std::size_t>(faulty.size(), 3); ++i)
+    text += " " + std::to_string(faulty[i].seed);
+  return std::to_string(faulty.size()) + (text.empty() ? "" : ":" + text);
 }
 
 double mean(const Fruit& fruit, const char* key) {
@@ -241,7 +263,7 @@ int fallen_out(const std::vector<Fruit>& fruits) {
   int fallen = 0;
   for (const Fruit& fruit : fruits) {
     for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-      const auto faults = faults_of(fruit, fruit.rows[i]);
+      const Faults& faults = fruit.faults[i];
       fallen += std::any_of(faults.begin(), faults.end(), [](const auto& fault) { return fault.second > 0; });
     }
   }
@@ -255,14 +277,9 @@ Json worst_fruits(const std::vector<Fruit>& fruits) {
   for (const char* fault : {"size", "short", "crossings", "empty", "drift", "specks"}) {
     std::vector<std::tuple<double, std::string, int>> worst;
     for (const Fruit& fruit : fruits) {
-      std::vector<std::tuple<double, std::string, int>> own;
-      for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
-        const double by = faults_of(fruit, fruit.rows[i]).at(fault);
-        if (by > 0) own.emplace_back(-by, fruit.name, fruit.rows[i]["seed"].get<int>());
-      }
-      std::sort(own.begin(), own.end());
-      own.resize(std::min(own.size(), of_one));
-      worst.insert(worst.end(), own.begin(), own.end());
+      const std::vector<FaultySeed> faulty = faulty_seeds(fruit, fault);
+      for (std::size_t i = 0; i < std::min(faulty.size(), of_one); ++i)
+        worst.emplace_back(-faulty[i].by, fruit.name, faulty[i].seed);
     }
     std::sort(worst.begin(), worst.end());
     worst.resize(std::min(worst.size(), of_all));
@@ -285,7 +302,9 @@ int make_report(const Options& options) {
     const UnseenFruit unseen(fruit);
     fruits.push_back({names[i],
                       {unseen.inner_parts(), unseen.parts_in_folds()},
-                      rows_of(names[i], unseen, range_of(options.seeds), known, {options.threads})});
+                      rows_of(names[i], unseen, range_of(options.seeds), known, {options.threads}),
+                      {}});
+    fruits.back().faults = faults_of(fruits.back());
     for (const Json& row : fruits.back().rows) keep(row);
     Json all = Json::array();
     for (const auto& [key, row] : known) all.push_back(row);

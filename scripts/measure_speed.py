@@ -9,6 +9,7 @@ Batches are measured by the clock, on two threads, a part of their thousand piec
 """
 
 import argparse
+import functools
 import json
 import pathlib
 import re
@@ -48,6 +49,7 @@ class Measuring:
         """Seconds by the clock of 500 items, halved, of which only so many are made."""
         return 500 / items * measured_batch(self.program, items, 2, further)[0]
 
+    @functools.cache
     def road_times(self, quality):
         told = subprocess.run([self.road, "--seeds", "1", "--runs", "1", "--quality", quality, "--json"],
                               capture_output=True, text=True, check=True)
