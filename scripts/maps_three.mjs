@@ -2,19 +2,17 @@
 // docs/reference/textures.md.
 //   node scripts/maps_three.mjs FILE.glb PICTURE.png [rim|scene]
 // "rim" looks from close by at the edge between the cut face and the skin, at 45 degrees to either; "scene" looks
-// as the file's own camera does, from where all is in sight, and leaves all where it lies. Run where node_modules lies
-// (npm ci).
-import {execFile} from 'node:child_process';
-import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
-import {createServer} from 'node:http';
-import {tmpdir} from 'node:os';
-import {extname, join, resolve} from 'node:path';
-import {promisify} from 'node:util';
+// as the file's own camera does, from where all is in sight, and leaves all where it lies. Needs `npm ci` and chromium.
+import {readFileSync} from 'node:fs';
+import {resolve} from 'node:path';
+
+import {launch} from '../tests/programs/browser.mjs';
+import {served} from '../tests/programs/served.mjs';
 
 const [glb, picture] = process.argv.slice(2, 4).map((path) => resolve(path));
 const atRim = process.argv[4] === 'rim', asItLies = process.argv[4] === 'scene';
 const [width, height] = asItLies ? [640, 480] : [480, 384];
-const page = `<!DOCTYPE html><meta charset="utf-8"><script type="importmap">
+const page = `<!DOCTYPE html><meta charset="utf-8"><link rel="icon" href="data:,"><script type="importmap">
 {"imports": {"three": "/node_modules/three/build/three.module.js",
   "three/addons/": "/node_modules/three/examples/jsm/"}}
 </script><body style="margin: 0"><script type="module">
@@ -98,46 +96,24 @@ if (${atRim}) {
   camera.lookAt(at);
 }
 renderer.render(scene, camera);
-await fetch('/drawn');
+window.drawn = true;
 </script>`;
-const kinds = {
-  '.js': 'text/javascript',
-  '.glb': 'model/gltf-binary'
-};
-let drawn = false;  // the page has asked for /drawn; Chromium takes a picture of a page that failed, too
-const missing = [];
-const server =
-  createServer((request, response) => {
-    const path = new URL(request.url, 'http://x').pathname;
-    if (path === '/drawn') {
-      drawn = true;
-      return response.end();
-    }
-    if (path === '/') return response.setHeader('Content-Type', 'text/html').end(page);
-    const file = path === '/scene.glb' ? glb : path.startsWith('/node_modules/three/') ? resolve(`.${path}`) : null;
-    try {
-      response.setHeader('Content-Type', kinds[extname(file)]);
-      response.end(readFileSync(file));
-    } catch {
-      missing.push(path);
-      response.writeHead(404).end();
-    }
-  }).listen(0, '127.0.0.1');
-await new Promise((done) => server.on('listening', done));
-const profile = mkdtempSync(join(tmpdir(), 'maps_three-'));
-await promisify(execFile)(
-  'chromium',
-  [
-    '--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader',
-    '--enable-unsafe-swiftshader', '--hide-scrollbars', `--window-size=${width},${height}`,
-    `--user-data-dir=${profile}`, '--virtual-time-budget=60000', '--run-all-compositor-stages-before-draw',
-    `--screenshot=${picture}`, `http://127.0.0.1:${server.address().port}/`
-  ],
-  {timeout: 200000});
-server.close();
-rmSync(profile, {recursive: true, force: true});
-if (!drawn) {
-  rmSync(picture, {force: true});
-  console.error(`maps_three: error: ${glb} was not drawn; not found: ${missing.join(' ') || 'nothing'}`);
+const files = await served((path) => path === '/' ? page : path === '/scene.glb' ? readFileSync(glb) : null);
+const browser = await launch({flags: ['--hide-scrollbars']});
+try {
+  const tab = await browser.newPage();
+  await tab.setViewport({width, height});
+  const failed = new Promise((_, fail) => {
+    tab.on('pageerror', fail);
+    tab.on('response', (answer) => answer.ok() || fail(new Error(`there is no ${new URL(answer.url()).pathname}`)));
+  });
+  await tab.goto(files.url);
+  await Promise.race([failed, tab.waitForFunction('window.drawn', {timeout: 200000})]);
+  await tab.screenshot({path: picture});
+} catch (error) {
+  console.error(`maps_three: error: ${glb} was not drawn: ${error.message}`);
   process.exitCode = 1;
+} finally {
+  await browser.close();
+  files.close();
 }

@@ -6,13 +6,13 @@
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
-import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
 import {basename, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 import {launch} from './browser.mjs';
 import {errorsOf, holds, line, readSections, srgb} from './section_errors.mjs';
+import {served} from './served.mjs';
 
 const [folder, name, glb, picture] = process.argv.slice(2);
 const root = resolve(fileURLToPath(import.meta.url), '../../..');
@@ -76,12 +76,6 @@ const wgsl = () => `${text('look.wgsl')}
 
 // ---- A page that has the asset, and everything by http. ----
 
-const types = {
-  html: 'text/html',
-  js: 'text/javascript',
-  mjs: 'text/javascript',
-  glsl: 'text/plain'
-};
 const inEngines = ['three.html', 'three_cut.mjs'], inPage = ['read_asset.js', 'look_up.js', 'look.glsl'];
 const files = (path) => {
   const file = basename(path);
@@ -91,19 +85,11 @@ const files = (path) => {
       'Object.assign(window, {Asset, LookUp});</script>';
   if (path === '/fruit.pomona') return readFileSync(join(folder, `${name}.pomona`));
   if (path === '/fruit.glb') return readFileSync(glb);
-  if (path.startsWith('/node_modules/three/') && !path.includes('..')) return readFileSync(join(root, path));
   if (inEngines.includes(file)) return readFileSync(join(engines, file));
   if (inPage.includes(file)) return readFileSync(join(engines, '..', file));
   return null;
 };
-const server = createServer((request, answer) => {
-  const path = new URL(request.url, 'http://x').pathname, found = files(path);
-  answer.writeHead(
-    found === null ? 404 : 200, {'Content-Type': types[path.split('.').pop()] || 'application/octet-stream'});
-  answer.end(found);
-});
-await new Promise((done) => server.listen(0, '127.0.0.1', done));
-const url = `http://127.0.0.1:${server.address().port}`;
+const {url, close} = await served(files);
 
 /** In the page: the square through a fragment shader of WebGL; uniforms by their names, in blocks or alone. */
 async function throughGl(shader, frame) {
@@ -353,6 +339,6 @@ try {
   }
 } finally {
   await browser.close();
-  server.close();
+  close();
   rmSync(translated, {recursive: true});
 }

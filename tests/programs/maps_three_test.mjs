@@ -3,7 +3,7 @@
 //   node maps_three_test.mjs SCENE.glb FOLDER
 import assert from 'node:assert';
 import {spawnSync} from 'node:child_process';
-import {existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
@@ -11,6 +11,7 @@ import {readPng} from '../../scripts/png.mjs';
 
 const [scene, folder] = process.argv.slice(2).map((path) => resolve(path));
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+rmSync(folder, {recursive: true, force: true});
 mkdirSync(folder, {recursive: true});
 const draw = (file, picture) =>
   spawnSync('node', [join(root, 'scripts/maps_three.mjs'), file, picture, 'scene'], {cwd: root, encoding: 'utf8'});

@@ -3,38 +3,21 @@
 //   node three_test.mjs FILE.glb OUR_PICTURE.png FOLDER [ATLAS.glb...]
 // Run where node_modules lies. The picture of three.js is left in FOLDER/three.png.
 import {mkdirSync, readFileSync} from 'node:fs';
-import {createServer} from 'node:http';
-import {basename, dirname, extname, join, resolve} from 'node:path';
+import {basename, dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 import {launch} from './browser.mjs';
+import {served} from './served.mjs';
 
 const [glb, picture, folder, ...others] = process.argv.slice(2).map((path) => resolve(path));
 const here = dirname(fileURLToPath(import.meta.url));
-const root = resolve(here, '../..');
 const named = {
   '/': join(here, 'three_page.html'),
   '/scene.glb': glb,
   '/picture.png': picture,
   ...Object.fromEntries(others.map((file) => [`/${basename(file)}`, file]))
 };
-const kinds = {
-  '.html': 'text/html',
-  '.js': 'text/javascript',
-  '.png': 'image/png',
-  '.glb': 'model/gltf-binary',
-  '.wasm': 'application/wasm'
-};
-
-const server = createServer((request, response) => {
-                 const path = new URL(request.url, 'http://x').pathname;
-                 const file = named[path] ?? (path.startsWith('/node_modules/three/') ? join(root, path) : null);
-                 try {
-                   response.setHeader('Content-Type', kinds[extname(file)]);
-                   response.end(readFileSync(file));
-                 } catch { response.writeHead(404).end(); }
-               }).listen(0, '127.0.0.1');
-await new Promise((done) => server.on('listening', done));
+const files = await served((path) => named[path] ? readFileSync(named[path]) : null);
 
 mkdirSync(folder, {recursive: true});
 const browser = await launch();
@@ -42,13 +25,13 @@ let found;
 try {
   const tab = await browser.newPage();
   await tab.setViewport({width: 480, height: 360});
-  await tab.goto(`http://127.0.0.1:${server.address().port}/?${others.map((file) => basename(file)).join('&')}`);
+  await tab.goto(`${files.url}/?${others.map((file) => basename(file)).join('&')}`);
   await tab.waitForFunction('document.title', {timeout: 200000});
   found = JSON.parse(await tab.title());
   await tab.screenshot({path: join(folder, 'three.png')});
 } finally {
   await browser.close();
-  server.close();
+  files.close();
 }
 console.log(JSON.stringify(found, null, 1));
 
