@@ -107,8 +107,8 @@ try {
     tab.on('pageerror', fail);
     tab.on('response', (answer) => answer.ok() || fail(new Error(`there is no ${new URL(answer.url()).pathname}`)));
   });
-  await tab.goto(files.url);
-  await Promise.race([failed, tab.waitForFunction('window.drawn', {timeout: 200000})]);
+  const drawn = tab.goto(files.url).then(() => tab.waitForFunction('window.drawn', {timeout: 200000}));
+  await Promise.race([failed, drawn]);
   await tab.screenshot({path: picture});
 } catch (error) {
   console.error(`maps_three: error: ${glb} was not drawn: ${error.message}`);
